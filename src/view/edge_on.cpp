@@ -9,7 +9,6 @@
 #include "base/large_vector.hpp"
 #include "base/parallel.hpp"
 #include "base/prefetch.hpp"
-#include "scene/model/bounds.hpp"
 #include "scene/model/planarity.hpp"
 #include "view/edge_classes.hpp"
 
@@ -101,8 +100,8 @@ std::vector<std::int8_t> sure_facings(const Scene& scene, const Camera& camera, 
 }
 
 std::vector<std::uint8_t> faces_seen_edge_on(const Scene& scene, const Topology& topology, const Camera& camera,
-                                             std::span<const std::int8_t> sure) {
-  const double rounding = view_rounding(camera, largest_coordinate(scene));
+                                             double largest, std::span<const std::int8_t> sure) {
+  const double rounding = view_rounding(camera, largest);
   const double forward_sizes = sum_of_sizes(camera.forward);
   // A face is seen edge on when all its triangles are.
   const std::vector<Triangle>& triangles = topology.triangles;

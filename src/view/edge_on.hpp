@@ -25,9 +25,9 @@ namespace ligne {
 /// and its own rounding error; |.| is the sum of the absolute components. In parallel projection the product is that
 /// of n and the line of sight, which has no position that could be near a plane, so the first term is omitted.
 ///
-/// `sure`: sure_facings(), or empty.
+/// `largest`: the largest absolute coordinate of the scene. `sure`: sure_facings(), or empty.
 std::vector<std::uint8_t> faces_seen_edge_on(const Scene& scene, const Topology& topology, const Camera& camera,
-                                             std::span<const std::int8_t> sure = {});
+                                             double largest, std::span<const std::int8_t> sure = {});
 
 /// The sides of triangles that their normals tell at once. Per face: 1 if it certainly faces the viewer, -1 if it certainly
 /// faces away, and is not seen edge on; 0 if the normal does not tell. Most triangles of a fine mesh are sure. Empty for

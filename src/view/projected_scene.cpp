@@ -197,7 +197,7 @@ ProjectedScene select_candidates(const Scene& scene, const Topology& topology, c
   out.face_is_transparent = transparent_faces(scene);
   std::vector<std::int8_t> sure;
   if (selection.shapes) sure = sure_facings(scene, view.camera, *selection.shapes, largest);
-  out.face_is_edge_on = faces_seen_edge_on(scene, topology, view.camera, sure);
+  out.face_is_edge_on = faces_seen_edge_on(scene, topology, view.camera, largest, sure);
   select_edges(scene, topology, selection, std::move(sure), out);
   return out;
 }

@@ -187,15 +187,14 @@ TEST(EdgeOn, TheBoundAgreesWithTheTest) {
     scene.faces.add_triangle(v, v + 1, v + 2);
   }
   end_object(scene);
-  double largest = 0;
-  for (const Point3& v : scene.vertices) largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  const double largest = largest_coordinate(scene);
   const Topology topology = build_topology(scene);
-  const std::vector<std::uint8_t> edge_on = faces_seen_edge_on(scene, topology, camera);
+  const std::vector<std::uint8_t> edge_on = faces_seen_edge_on(scene, topology, camera, largest);
   ASSERT_EQ(edge_on.size(), scene.faces.size());
   const std::vector<std::int8_t> facings = face_facings(scene, camera);
   const std::vector<std::int8_t> sure =
       sure_facings(scene, camera, mesh_angles(scene, topology, object_sizes(scene)), largest);
-  EXPECT_EQ(faces_seen_edge_on(scene, topology, camera, sure), edge_on);
+  EXPECT_EQ(faces_seen_edge_on(scene, topology, camera, largest, sure), edge_on);
   std::size_t seen_so = 0;
   for (std::uint32_t f = 0; f < edge_on.size(); ++f) {
     const Point3* const t = &scene.vertices[3 * f];
@@ -231,7 +230,7 @@ TEST(EdgeOn, IsToldToTheLastDigitsOnly) {
   const Scene scene = book();
   const Topology topology = build_topology(scene);
   const auto edge_on = [&](const CameraRequest& request) {
-    return faces_seen_edge_on(scene, topology, make_camera(request, scene));
+    return faces_seen_edge_on(scene, topology, make_camera(request, scene), largest_coordinate(scene));
   };
   EXPECT_TRUE(edge_on(from_eye({5, -6, 4}, {0, 0, 1})).empty());
   const Point3 on_face{0.1922756744317828, -0.6542487129363209, 1.154344595871148};
@@ -249,8 +248,8 @@ TEST(EdgeOn, IsToldToThePrecisionOfTheInput) {
   scene.objects[0].precision = 1e-3;
   const Topology topology = build_topology(scene);
   const Point3 beside = Point3{0.1922756744317828, -0.6542487129363209, 1.154344595871148} + Point3{5e-4, 0, 0};
-  EXPECT_EQ(faces_seen_edge_on(scene, topology, make_camera(from_eye(beside, {0, 0, 0}), scene)),
-            (std::vector<std::uint8_t>{0, 0, 1}));
+  const Camera camera = make_camera(from_eye(beside, {0, 0, 0}), scene);
+  EXPECT_EQ(faces_seen_edge_on(scene, topology, camera, largest_coordinate(scene)), (std::vector<std::uint8_t>{0, 0, 1}));
 }
 
 }  // namespace
