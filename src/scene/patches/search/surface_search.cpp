@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 
 #include "base/no_index.hpp"
 
@@ -35,6 +36,9 @@ constexpr std::size_t kSpread = 3;
 /// Largest ratio of a facet's sag to the median for a cone on which all corners lie exactly. Fans between two curves have
 /// triangles of many widths, and no plane meets a cone in two of its rulings.
 constexpr double kExactConeSags = 12;
+/// Least turn, in radians, of a cylinder whose corners may lie within kLoosePrecisions: fillets turn by less, and so do the
+/// pieces of free forms that lie on cylinders by accident. Half of it must lie within kPrecisions.
+constexpr double kLeastLooseTurn = 200 * std::numbers::pi / 180;
 /// Largest number of facets of a band from which a sphere is fitted.
 constexpr std::size_t kMostBand = 24;
 /// Least number of facets of a strip that is tried by itself. Fewer prove nothing at a tolerance of kStripSagPart.
@@ -295,8 +299,25 @@ PatchCandidate SurfaceSearch::try_surface(SurfaceKind kind, std::uint32_t seed, 
 }
 
 /// Lets the surface of a candidate, which was fitted to a sample, grow from the seed. The result has no facets if this
-/// fails.
+/// fails. A certain cylinder without a firm border is tried again with a larger tolerance: a single corner that a program
+/// has misplaced ends it before its border.
 PatchCandidate SurfaceSearch::grow_candidate(PatchCandidate c, std::uint32_t seed, const FitSample& sample) {
+  if (!grow_certain(c, seed, sample)) return {};
+  if (has_firm_border(c)) return c;
+  // is_certain() has found the angles of a cylinder.
+  if (c.patch.surface.kind != SurfaceKind::cylinder || !is_fine(c.patch)) return {};
+  if (turn_of_angles() < kLeastLooseTurn / 2) return {};
+  c.facets.clear();
+  c.area = 0;
+  precisions_ = kLoosePrecisions;
+  const bool is_whole = grow_certain(c, seed, sample) && turn_of_angles() >= kLeastLooseTurn && has_firm_border(c);
+  precisions_ = kPrecisions;
+  if (!is_whole) return {};
+  return c;
+}
+
+/// Lets the surface of a candidate grow from the seed. Returns whether it is certain then.
+bool SurfaceSearch::grow_certain(PatchCandidate& c, std::uint32_t seed, const FitSample& sample) {
   PatchSurface& surface = c.patch.surface;
   const SurfaceKind kind = surface.kind;
   c.patch.outward = glm::dot(surface.normal(graph_.frames[seed].middle), graph_.frames[seed].normal) > 0;
@@ -318,7 +339,7 @@ PatchCandidate SurfaceSearch::grow_candidate(PatchCandidate c, std::uint32_t see
     const double next = refine_surface(refined, points_);
     const double sag = sag_of(refined, c.facets);
     if (!(next <= tolerance_for(kind, sag))) {
-      if (round < kMostRounds) return {};
+      if (round < kMostRounds) return false;
       c.facets.swap(grown);  // has_firm_border() decides whether the surface ends there
       fetch_points(c.facets);
       break;
@@ -327,10 +348,10 @@ PatchCandidate SurfaceSearch::grow_candidate(PatchCandidate c, std::uint32_t see
     c.patch.sag = sag;
     c.residual = next;
   }
-  if (c.facets.empty() || !is_plausible(surface) || !is_certain(c)) return {};
-  if (c.must_spread && (c.facets.size() < kSpread * sample.facets.size() || !is_mostly_near(c))) return {};
+  if (c.facets.empty() || !is_plausible(surface) || !is_certain(c)) return false;
+  if (c.must_spread && (c.facets.size() < kSpread * sample.facets.size() || !is_mostly_near(c))) return false;
   for (const std::uint32_t f : c.facets) c.area += graph_.area[f];
-  return has_firm_border(c) ? c : PatchCandidate{};
+  return true;
 }
 
 /// The facets on the surface that are connected to the seed; facets of other patches only if `over_patches`.
@@ -358,7 +379,7 @@ std::vector<std::uint32_t> SurfaceSearch::grow(const Patch& patch, std::uint32_t
 }
 
 double SurfaceSearch::tolerance_for(SurfaceKind kind, double sag) const {
-  return std::max(kPrecisions * object_.precision, (kind == SurfaceKind::sphere ? kExactSagPart : sag_part_) * sag);
+  return std::max(precisions_ * object_.precision, (kind == SurfaceKind::sphere ? kExactSagPart : sag_part_) * sag);
 }
 
 }  // namespace ligne

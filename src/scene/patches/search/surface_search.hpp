@@ -59,6 +59,8 @@ class SurfaceSearch {
  protected:
   /// Adjustable. Largest distance, in precisions of the coordinates, of corners that lie on a surface exactly.
   static constexpr double kPrecisions = 8;
+  /// Adjustable. Largest distance of corners from a cylinder whose border kPrecisions does not find, as kPrecisions.
+  static constexpr double kLoosePrecisions = 32;
   static constexpr std::uint32_t kWordBits = 64;  ///< bits of a word of is_fetched_
   /// Adjustable. A facet on which no surface was found excludes its neighbours of at least this part of its area as seeds;
   /// smaller ones may belong to a fillet beside a plane. A neighbour of less than this part of a facet's area is not in one
@@ -131,6 +133,7 @@ class SurfaceSearch {
   void consider_sample(SurfaceKind kind, std::uint32_t seed, FitSample& sample, double factor, PatchCandidate& best);
   PatchCandidate try_surface(SurfaceKind kind, std::uint32_t seed, FitSample& sample);
   PatchCandidate grow_candidate(PatchCandidate c, std::uint32_t seed, const FitSample& sample);
+  bool grow_certain(PatchCandidate& c, std::uint32_t seed, const FitSample& sample);
   std::vector<std::uint32_t> grow(const Patch& patch, std::uint32_t seed, double most_sags = kMostSags,
                                   bool over_patches = false);
   bool lies_on_quadric(FitSample& sample);
@@ -192,9 +195,10 @@ class SurfaceSearch {
   std::vector<std::uint32_t> vertices_;    ///< result of fetch_points(): vertices of the facets
   std::vector<Point3> points_;             ///< result of fetch_points(): their positions
   std::vector<double> numbers_;
-  std::size_t grown_ = 0;      ///< number of facets that surfaces grew over since take_grown()
-  bool leaves_discs_ = false;  ///< whether facets that are is_in_disc() of a torus do not lie on it
-  double sag_part_;            ///< largest distance of corners from the surface, as a fraction of the sag
+  std::size_t grown_ = 0;            ///< number of facets that surfaces grew over since take_grown()
+  bool leaves_discs_ = false;        ///< whether facets that are is_in_disc() of a torus do not lie on it
+  double precisions_ = kPrecisions;  ///< largest distance of corners from the surface, in precisions of the coordinates
+  double sag_part_;                  ///< largest distance of corners from the surface, as a fraction of the sag
 };
 
 }  // namespace ligne
