@@ -25,6 +25,11 @@ constexpr double kMaxIsolatedPart = 1.0 / 48;                   ///< also as par
 /// An isolated line that is straight may be so many times as long on scans: a triangle that stands out has one such edge in
 /// sight. Taste.
 constexpr double kScanStraightTimes = 2;
+/// How many times as long dangles and isolated chains of decimated parts may be that consist of kFoldEdges edges or fewer.
+/// Dangles reach an eighth of their part then, as loose creases do, and isolated chains a twelfth: longer creases are lines.
+constexpr double kDecimatedTimes = 4;
+/// Largest number of edges of the outline at a fold that decimation makes: those of one triangle that face the viewer.
+constexpr std::size_t kFoldEdges = 2;
 /// Longest dangle of the outline of a mesh of a free form, and its longest isolated chain, in facets: a fold turns over two
 /// edges or more, so that the mesh tells nothing of shorter ones. No larger in pen widths: taste.
 constexpr double kDangleInFacets = 2, kFormDangleInPens = 36, kIsolatedInFacets = 1;
@@ -32,23 +37,37 @@ constexpr double kRingInPens = 0.5;  ///< a ring is drawn as one line where it l
 
 double gap_mm(const CleanOptions& o) { return std::min(o.least_mm, kGapInPens * o.pen_mm); }
 
+/// Limits of isolated chains. `times`: how many times as long they may be where they are folds, or 1 for all.
+IsolatedLimits isolated_limits(double pen_mm, double longest_in_pens, double straight_times, double times = 1) {
+  return {.longest_mm = times * longest_in_pens * pen_mm,
+          .body_part = times * kMaxIsolatedPart,
+          .ring_width_mm = kRingInPens * pen_mm,
+          .straight_times = straight_times,
+          .most_sources = times > 1 ? kFoldEdges : kAnySources};
+}
+
+/// Limits of the dangles of scans. `times`: as for isolated chains.
+DangleLimits dangle_limits(double pen_mm, double times) {
+  return {.longest_mm = times * kDangleInPens * pen_mm,
+          .body_part = times * kDanglePart,
+          .beside_mm = kBesideInPens * pen_mm,
+          .beside_times = kBesideInDangles / times,
+          .touching_mm = kMeetingInPens * pen_mm,
+          .most_sources = times > 1 ? kFoldEdges : kAnySources};
+}
+
 /// Applies the rules once, in their order. Calls report(what the rule does, number of its changes) for each.
 /// `has_closed_gaps`: whether a pass came before. Outlines between contours are dangles until their gaps are closed.
 template <class Report>
 void apply_rules(LineMap& map, const CleanOptions& o, bool has_closed_gaps, const Report& report) {
   const double pen_mm = o.pen_mm, ink_mm = kLineReachInPens * pen_mm;
   const GapLimits gaps{gap_mm(o), (o.has_outlines ? kFarInGaps : kWideInGaps) * gap_mm(o), ink_mm};
-  const auto isolated = [&](double longest_in_pens, double straight_times) {
-    return IsolatedLimits{longest_in_pens * pen_mm, kMaxIsolatedPart, kRingInPens * pen_mm, straight_times, {}};
-  };
   report("gaps bridged", bridge_gaps(map, gaps, o.make_source));
   if (o.scan_of) {
-    const DangleLimits dangles{.longest_mm = kDangleInPens * pen_mm,
-                               .body_part = kDanglePart,
-                               .beside_mm = kBesideInPens * pen_mm,
-                               .beside_times = kBesideInDangles,
-                               .touching_mm = kMeetingInPens * pen_mm};
-    report("dangles of scans removed", prune_dangles(map, o.scan_of, dangles));
+    report("dangles of scans removed", prune_dangles(map, o.scan_of, dangle_limits(pen_mm, 1)));
+    // Outlines that end at a gap are dangles until it is closed.
+    if (has_closed_gaps && o.decimated_of)
+      report("dangles of scans removed", prune_dangles(map, o.decimated_of, dangle_limits(pen_mm, kDecimatedTimes)));
     report("gaps bridged without dangles", bridge_gaps(map, gaps, o.make_source));
   }
   if (has_closed_gaps && o.form_of) {
@@ -64,15 +83,19 @@ void apply_rules(LineMap& map, const CleanOptions& o, bool has_closed_gaps, cons
   report("short runs in the ink of other lines", remove_overdrawn_runs(map, {o.least_mm, ink_mm, kShownInPens * pen_mm}));
   if (o.scan_of) {
     report("isolated chains of scans removed",
-           remove_isolated_chains(map, o.scan_of, isolated(kMaxScanIsolatedInPens, kScanStraightTimes)));
+           remove_isolated_chains(map, o.scan_of, isolated_limits(pen_mm, kMaxScanIsolatedInPens, kScanStraightTimes)));
+  }
+  if (has_closed_gaps && o.decimated_of) {
+    report("isolated chains of scans removed",
+           remove_isolated_chains(map, o.decimated_of, isolated_limits(pen_mm, kMaxScanIsolatedInPens, 1, kDecimatedTimes)));
   }
   if (has_closed_gaps && o.has_all_features && o.form_of) {
-    IsolatedLimits limits = isolated(kMaxScanIsolatedInPens, 1);
+    IsolatedLimits limits = isolated_limits(pen_mm, kMaxScanIsolatedInPens, 1);
     limits.body_part = kIsolatedInFacets, limits.factors = o.facet_parts;
     report("isolated chains of free forms removed", remove_isolated_chains(map, o.form_of, limits));
   }
   if (o.has_all_features) {
-    report("isolated chains removed", remove_isolated_chains(map, o.object_of, isolated(kLoneInPens, 1)));
+    report("isolated chains removed", remove_isolated_chains(map, o.object_of, isolated_limits(pen_mm, kLoneInPens, 1)));
   }
   if (o.has_outlines) {
     const EndLimits undershoots{kUndershootInGaps * gap_mm(o), kTouchingInPens * pen_mm};
@@ -104,7 +127,7 @@ CleanReport clean_lines(StrokeModel& model, const CleanOptions& options) {
   };
   while (!is_clean && report.passes < kMostCleanPasses) {
     ++report.passes;
-    is_clean = report.passes > 1 || !options.form_of;
+    is_clean = report.passes > 1 || (!options.form_of && !options.decimated_of);
     std::optional<LineMap> map;
     const auto make_map = [&] {
       map.emplace(

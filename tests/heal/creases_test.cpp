@@ -135,7 +135,7 @@ TEST(Creases, AStrayTriangleDoesNotSpoilAScan) {
 
 TEST(Creases, AFineScanBendsLittleAndAPlaneNotAtAll) {
   EXPECT_EQ(find(rounded_ridge(0.3, 0.15, 0.03)).creases.decimated, 0u);
-  EXPECT_EQ(find(rounded_ridge(0.3, 0.15, 0)).creases.decimated, 1u);
+  EXPECT_TRUE(find(rounded_ridge(0.3, 0.15, 0)).creases.scans.at(0).is_decimated);
 }
 
 [[maybe_unused]] const bool scripts_are_added = test::add_mesh_scripts(LIGNE_SOURCE_DIR "/tests/heal/scripts");

@@ -17,6 +17,7 @@ CleanOptions options_for(std::uint32_t given_sources) {
   options.pen_mm = kPen;
   options.least_mm = 1.5 * kPen;
   options.scan_of = [given_sources](const Stroke& s) { return s.source < given_sources && s.source % 2 == 0 ? 0u : kNone; };
+  options.decimated_of = options.scan_of;
   options.form_of = [given_sources](const Stroke& s) { return s.source < given_sources && s.source % 2 == 1 ? 0u : kNone; };
   options.facet_parts = {0.02};
   options.object_of = [given_sources](const Stroke& s) { return s.source < given_sources ? s.source % 3 : kNone; };
@@ -140,11 +141,13 @@ TEST(CleanLines, LeadsAnEndToItsOwnLineOnce) {
   }
 }
 
-TEST(CleanLines, LeavesNoRingThatInkFills) {
-  for (const std::string apex : {"0.16", "0.2"}) {
-    StrokeModel m = sketch("outline#2 0,-9 99,-9; outline#0 10,0 11.4,0 10.7," + apex + " 10,0", LineClass::outline, kStep);
-    m.edge_count = 3;
-    EXPECT_EQ(changes_of(clean(m)), apex == "0.16" ? 1u : 0u) << apex;
+TEST(CleanLines, LeavesNoRingThatInkFillsAndNoFoldOfADecimatedPart) {
+  const std::string ring = "#0 10,0 11.4,0 10.7,", fold = "#6 9,20 9,24; #8 9,24 9,30; ";
+  for (const auto& [lines, changes] : std::map<std::string, std::size_t>{
+           {ring + "0.16 10,0", 1}, {ring + "0.2 10,0", 0}, {fold + "#8 9,30 12,33", 1}, {fold + "#4 9,30 12,33", 0}}) {
+    StrokeModel m = sketch("#2 0,-9 200,-9; " + lines, LineClass::outline, kStep);
+    m.edge_count = 9;
+    EXPECT_EQ(changes_of(clean(m)), changes) << lines;
   }
 }
 

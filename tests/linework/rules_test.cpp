@@ -70,31 +70,30 @@ std::string lines_drawn(const RuleOfText& rule, const std::string& text) {
   return counts;
 }
 
+template <class Rule>
+Change applying(double reach_mm, const Rule& rule, double ink_mm = 0) {
+  return [=](StrokeModel& m) { return apply_rule(m, reach_mm, rule, ink_mm); };
+}
+
 Change bridging(double reach_mm, double far_mm, double clear_mm) {
-  return [=](StrokeModel& m) {
-    const GapLimits limits{reach_mm, far_mm, clear_mm};
-    return apply_rule(
-        m, 0, [&](LineMap& map) { return bridge_gaps(map, limits, no_source); }, limits.clear_mm);
-  };
+  const GapLimits limits{reach_mm, far_mm, clear_mm};
+  return applying(
+      0, [=](LineMap& map) { return bridge_gaps(map, limits, no_source); }, clear_mm);
 }
 
 /// Outlines along the x axis are known within 90 steps of it.
-std::size_t close(StrokeModel& m) {
-  const auto is_outline = [](Point2 a, Point2 b, bool along) {
-    return std::max(std::abs(a.y), std::abs(b.y)) <= (along ? 20 : 90);
-  };
-  return apply_rule(
-      m, 0,
-      [&](LineMap& map) {
-        return close_outlines(map, {0, 900, 50}, is_outline, no_source);
-      },
-      50);
-}
+const Change close = applying(
+    0,
+    [](LineMap& map) {
+      const auto is_outline = [](Point2 a, Point2 b, bool along) {
+        return std::max(std::abs(a.y), std::abs(b.y)) <= (along ? 20 : 90);
+      };
+      return close_outlines(map, {0, 900, 50}, is_outline, no_source);
+    },
+    50);
 
-std::size_t lead_on(StrokeModel& m) {
-  return apply_rule(
-      m, 1, [](LineMap& map) { return extend_undershoots(map, {.longest_mm = 20, .touching_mm = 1}, no_source); }, 1);
-}
+const Change lead_on = applying(
+    1, [](LineMap& map) { return extend_undershoots(map, {.longest_mm = 20, .touching_mm = 1}, no_source); }, 1);
 
 /// Every source runs from x = 0 to x = 100, so that what is shorter was cut off by visibility.
 Change dropping_bits(double least_mm) {
@@ -110,38 +109,24 @@ Change dropping_bits(double least_mm) {
 std::uint32_t body_of(const Stroke& s) { return s.source < kSourcesOfBody ? 0u : kNone; }
 
 Change dropping_flecks(const IsolatedLimits& limits, double touching_mm) {
-  return [=](StrokeModel& m) {
-    return apply_rule(m, touching_mm, [&](LineMap& map) { return remove_isolated_chains(map, body_of, limits); });
-  };
+  return applying(touching_mm, [=](LineMap& map) { return remove_isolated_chains(map, body_of, limits); });
 }
 
 Change dropping_spurs(const DangleLimits& limits) {
-  return [=](StrokeModel& m) {
-    return apply_rule(m, limits.touching_mm, [&](LineMap& map) { return prune_dangles(map, body_of, limits); });
-  };
+  return applying(limits.touching_mm, [=](LineMap& map) { return prune_dangles(map, body_of, limits); });
 }
 
-std::size_t drop_wide_spurs_and_flecks(StrokeModel& m) {
-  const DangleLimits limits{
-      .longest_mm = 4.2, .body_part = 1.0 / 32, .beside_mm = 0.875, .beside_times = 4, .touching_mm = 0.35};
-  return dropping_spurs(limits)(m) + dropping_flecks({.longest_mm = 2.8, .body_part = 1.0 / 48}, 0.35)(m);
+Change dropping_spurs_and_flecks(const DangleLimits& spurs, const IsolatedLimits& flecks) {
+  return [=](StrokeModel& m) { return dropping_spurs(spurs)(m) + dropping_flecks(flecks, spurs.touching_mm)(m); };
 }
 
 /// Facets are a hundredth of the body long.
-std::size_t drop_spurs_and_flecks_of_facets(StrokeModel& m) {
-  static constexpr std::array kParts{0.01};
-  return dropping_spurs({.longest_mm = 12, .body_part = 2, .touching_mm = 0.2, .factors = kParts})(m) +
-         dropping_flecks({.longest_mm = 12, .body_part = 1, .factors = kParts}, 0.2)(m);
-}
+constexpr std::array kParts{0.01};
 
-std::size_t cut_ends(StrokeModel& m) {
-  return apply_rule(
-      m, 0.35, [](LineMap& map) { return cut_overshoots(map, {.longest_mm = 4, .touching_mm = 0.02}); }, 0.35);
-}
+const Change cut_ends = applying(
+    0.35, [](LineMap& map) { return cut_overshoots(map, {.longest_mm = 4, .touching_mm = 0.02}); }, 0.35);
 
-std::size_t merge_runs(StrokeModel& m) {
-  return apply_rule(m, 0, [](LineMap& map) { return merge_short_runs(map, 50); });
-}
+const Change merge_runs = applying(0, [](LineMap& map) { return merge_short_runs(map, 50); });
 
 /// Lines along the edges of scans, which have source 1.
 std::size_t smooth_scan(StrokeModel& m) {
@@ -149,9 +134,7 @@ std::size_t smooth_scan(StrokeModel& m) {
 }
 
 /// A pen of 17 steps.
-std::size_t drop_overdrawn(StrokeModel& m) {
-  return apply_rule(m, 0, [](LineMap& map) { return remove_overdrawn_runs(map, {50, 17, 17}); });
-}
+const Change drop_overdrawn = applying(0, [](LineMap& map) { return remove_overdrawn_runs(map, {50, 17, 17}); });
 
 /// Within two steps; what is left by its sources.
 std::size_t drop_coincident(StrokeModel& m) {
@@ -175,8 +158,19 @@ const std::map<std::string, RuleOfText> kRules = {
     {"spurs",
      {LineClass::outline, 0.001,
       dropping_spurs({.longest_mm = 4, .body_part = 1.0 / 32, .beside_mm = 1, .beside_times = 4, .touching_mm = 0.2})}},
-    {"spurs-of-facets", {LineClass::outline, 0.001, drop_spurs_and_flecks_of_facets}},
-    {"spurs-and-flecks", {LineClass::outline, 0.001, drop_wide_spurs_and_flecks}},
+    {"spurs-of-facets",
+     {LineClass::outline, 0.001,
+      dropping_spurs_and_flecks({.longest_mm = 12, .body_part = 2, .touching_mm = 0.2, .factors = kParts},
+                                {.longest_mm = 12, .body_part = 1, .factors = kParts})}},
+    {"spurs-of-folds",
+     {LineClass::outline, 0.001,
+      dropping_spurs_and_flecks({.longest_mm = 12, .body_part = 1, .touching_mm = 0.2, .most_sources = 2},
+                                {.longest_mm = 12, .body_part = 1, .most_sources = 2})}},
+    {"spurs-and-flecks",
+     {LineClass::outline, 0.001,
+      dropping_spurs_and_flecks(
+          {.longest_mm = 4.2, .body_part = 1.0 / 32, .beside_mm = 0.875, .beside_times = 4, .touching_mm = 0.35},
+          {.longest_mm = 2.8, .body_part = 1.0 / 48})}},
     {"overshoots", {LineClass::outline, 0.001, cut_ends}},
     {"merge", {LineClass::outline, 1, merge_runs}},
     {"smooth", {LineClass::crease, 1, smooth_scan}},

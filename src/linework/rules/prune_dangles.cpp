@@ -71,7 +71,7 @@ class DanglePruner {
     // Keeps an arc that only joins lines: the end that it joined would be joined again.
     if (std::ranges::all_of(arc.pieces, [&](std::uint32_t p) { return map_.piece(p).is_joint; })) return false;
     const double longest = longest_of(limits_, body, extents_[body], map_.step_mm());
-    if (arc.length > limits_.beside_times * longest) return false;
+    if (arc.length > limits_.beside_times * longest || has_more_sources(arc)) return false;
     const auto [fewer, more] = std::minmax({arcs_.degree(arc.junctions[0]), arcs_.degree(arc.junctions[1])});
     // Such a junction of two arcs was one of three before a dangle was removed, so this arc is now part of a longer
     // line.
@@ -79,6 +79,19 @@ class DanglePruner {
     if (arc.length <= longest && fewer == 1 && more > 2) return true;
     return std::ranges::all_of(arc.pieces, [&](std::uint32_t p) { return runs_beside(p, arc); }) &&
            (fewer == 1 || has_detour(arc));
+  }
+
+  /// Whether an arc consists of more edges than a dangle may.
+  bool has_more_sources(const Arcs::Arc& arc) const {
+    if (limits_.most_sources == kAnySources) return false;
+    std::vector<std::uint32_t> sources;
+    for (const std::uint32_t p : arc.pieces) {
+      const std::uint32_t source = map_.piece(p).source;
+      if (std::ranges::find(sources, source) != sources.end()) continue;
+      if (sources.size() == limits_.most_sources) return true;
+      sources.push_back(source);
+    }
+    return false;
   }
 
   static bool has(const Arcs::Arc& arc, std::uint32_t piece) { return std::ranges::binary_search(arc.pieces, piece); }

@@ -24,7 +24,8 @@ struct Cluster {
   Rect box;                                                  ///< bounding box
   double longest = std::numeric_limits<double>::infinity();  ///< lattice steps; a larger cluster stays
   bool has_ring = false, is_removed = false;
-  std::vector<LatticePoint> points{};  ///< ends of its pieces, if it must lie on one line and is small
+  std::vector<std::uint32_t> sources{};  ///< its edges, one more than it may have at most, if their number is limited
+  std::vector<LatticePoint> points{};    ///< ends of its pieces, if it must lie on one line and is small
 };
 
 /// Whether all points lie within `width` steps of the line between two of them that are far apart.
@@ -96,6 +97,9 @@ std::size_t remove_isolated_chains(LineMap& map, const BodyOf& body_of, const Is
     const std::uint32_t body = is_feature(map.piece(p)) ? bodies[p] : kNone;
     const double longest = body == kNone ? 0 : longest_of(limits, body, extents[body], map.step_mm());
     cluster.longest = std::min(cluster.longest, longest);
+    if (limits.most_sources != kAnySources && cluster.sources.size() <= limits.most_sources &&
+        std::ranges::find(cluster.sources, map.piece(p).source) == cluster.sources.end())
+      cluster.sources.push_back(map.piece(p).source);
     for (const LatticePoint end : {map.piece(p).from, map.piece(p).to}) {
       cluster.box.extend({end.x, end.y});
       if (times_of(cluster) > 1 && diagonal(cluster.box) <= times_of(cluster) * cluster.longest)
@@ -106,7 +110,8 @@ std::size_t remove_isolated_chains(LineMap& map, const BodyOf& body_of, const Is
   std::size_t removed = 0;
   for (Cluster& cluster : clusters) {
     const double size = diagonal(cluster.box), width = cluster.has_ring ? ring_width : kStraightInRings * ring_width;
-    cluster.is_removed = cluster.box.width() >= 0 && size <= times_of(cluster) * cluster.longest &&
+    cluster.is_removed = cluster.box.width() >= 0 && cluster.sources.size() <= limits.most_sources &&
+                         size <= times_of(cluster) * cluster.longest &&
                          ((!cluster.has_ring && size <= cluster.longest) || lie_on_one_line(cluster.points, width));
     removed += cluster.is_removed;
   }

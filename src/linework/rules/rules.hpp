@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,9 @@ using IsOutline = std::function<bool(Point2 from, Point2 to, bool along)>;
 
 /// Numbers the bodies of strokes from 0. Returns kNone for strokes that the rule ignores.
 using BodyOf = std::function<std::uint32_t(const Stroke&)>;
+
+/// No limit of the number of edges.
+inline constexpr std::size_t kAnySources = std::numeric_limits<std::size_t>::max();
 
 struct GapLimits {
   double gap_mm = 0;  ///< ends nearer than this are joined if their lines point towards each other within 60 degrees
@@ -40,12 +44,13 @@ std::size_t close_outlines(LineMap& map, const GapLimits& limits, const IsOutlin
                            const MakeSource& make_source);
 
 struct DangleLimits {
-  double longest_mm = 0;              ///< longest dangle
-  double body_part = 0;               ///< longest dangle as part of the extent of its body's lines
-  double beside_mm = 0;               ///< an arc within this distance of another line runs beside it
-  double beside_times = 1;            ///< such an arc may be this many times as long as a dangle
-  double touching_mm = 0;             ///< lines meet within this distance
-  std::span<const double> factors{};  ///< per body: multiplies body_part; empty: 1
+  double longest_mm = 0;                   ///< longest dangle
+  double body_part = 0;                    ///< longest dangle as part of the extent of its body's lines
+  double beside_mm = 0;                    ///< an arc within this distance of another line runs beside it
+  double beside_times = 1;                 ///< such an arc may be this many times as long as a dangle
+  double touching_mm = 0;                  ///< lines meet within this distance
+  std::size_t most_sources = kAnySources;  ///< largest number of edges that a dangle consists of
+  std::span<const double> factors{};       ///< per body: multiplies body_part; empty: 1
 };
 /// prune_dangles: removes outlines of bodies that branch off an outline and lead nowhere. Where a rough surface is seen
 /// nearly edge on, its outline follows many shallow folds, and each ends freely beside the next. The rule removes arcs
@@ -74,11 +79,12 @@ struct OverdrawLimits {
 std::size_t remove_overdrawn_runs(LineMap& map, const OverdrawLimits& limits);
 
 struct IsolatedLimits {
-  double longest_mm = 0;              ///< diagonal of the bounding box of the largest cluster that is removed
-  double body_part = 0;               ///< the same as part of the extent of the lines of its body
-  double ring_width_mm = 0;           ///< a ring no wider than this is a line there and back
-  double straight_times = 1;          ///< a cluster all of whose points lie on one line may be so many times as large
-  std::span<const double> factors{};  ///< per body: multiplies body_part; empty: 1
+  double longest_mm = 0;                   ///< diagonal of the bounding box of the largest cluster that is removed
+  double body_part = 0;                    ///< the same as part of the extent of the lines of its body
+  double ring_width_mm = 0;                ///< a ring no wider than this is a line there and back
+  double straight_times = 1;               ///< a cluster all of whose points lie on one line may be so many times as large
+  std::size_t most_sources = kAnySources;  ///< largest number of edges that a cluster consists of
+  std::span<const double> factors{};       ///< per body: multiplies body_part; empty: 1
 };
 /// remove_isolated_chains: removes short clusters of lines. Lines that share a node or have a contact belong to one
 /// cluster. Clusters with rings stay unless all their points lie on one line.

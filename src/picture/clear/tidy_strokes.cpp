@@ -73,6 +73,12 @@ CleanReport clean_scene_lines(StrokeModel& strokes, const PreparedScene& prepare
   options.has_outlines = drawn.has(LineClass::outline);
   options.has_all_features = (drawn.bits & features.bits) == features.bits;
   if (!prepared.scans.empty()) options.scan_of = [&](const Stroke& s) { return scan_of(prepared.scans, sources, s); };
+  if (std::ranges::any_of(prepared.scans, &ScanObject::is_decimated)) {
+    options.decimated_of = [&](const Stroke& s) {
+      const std::uint32_t scan = scan_of(prepared.scans, sources, s);
+      return scan != kNone && prepared.scans[scan].is_decimated ? scan : kNone;
+    };
+  }
   if (!prepared.free_forms.empty()) {
     for (const FreeForm& form : prepared.free_forms) options.facet_parts.push_back(form.facet_part);
     // Strokes of smooth contours and of other lines lie on no edge.

@@ -27,6 +27,7 @@ struct CreaseMesh {
 struct ScanObject {
   std::uint32_t face_begin = 0, face_end = 0;
   std::uint32_t edge_begin = 0, edge_end = 0;
+  bool is_decimated = false;  ///< a part of which a program removed most triangles
 };
 
 /// Whether the mesh of an object looks like a scan or a remeshed surface: without planes and without vertices placed on

@@ -379,12 +379,13 @@ TracedCreases trace_creases(const CreaseMesh& mesh, double crease_degrees, std::
   TracedCreases sum;
   for (const Object& object : mesh.scene.objects) {
     const auto [edge_begin, edge_end] = edges_of(mesh.topology, object);
-    const ScanObject own{object.face_begin, object.face_end, edge_begin, edge_end};
+    ScanObject own{object.face_begin, object.face_end, edge_begin, edge_end};
     std::vector<std::uint8_t> is_sure;
     if (!is_scan(mesh, bends, own, object.precision)) {
       if (!is_decimated(mesh, bends, own)) continue;
       is_sure = sure_creases(mesh, bends, own);
       ++sum.decimated;
+      own.is_decimated = true;
     }
     sum.scans.push_back(own);
     const TracedCreases traced = Tracer(mesh, bends, own, object, std::move(is_sure)).run(crease_degrees);
