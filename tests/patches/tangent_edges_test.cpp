@@ -202,6 +202,7 @@ struct TangentChain {
   double width = 1;        ///< of both faces
   double object_size = 0;  ///< length of the object along the chain; 0: that of the chain
   bool is_ring = false;    ///< whether the last edge ends where the first one begins; otherwise both ends are free
+  bool is_row = false;     ///< whether the first face is a free form instead
   bool is_held = false;    ///< whether another line ends at its beginning
   double step = 0;         ///< length of the fourth edge across the chain; 0: it goes straight on
 };
@@ -235,8 +236,8 @@ std::size_t tangents_left(int edges, const TangentChain& chain = {}) {
   Patches patches;
   patches.list.resize(1);
   patches.list[0].surface.axis = Point3(1, 0, 0);
-  patches.patch_of = {0, kNone};
-  patches.is_freeform = {0, chain.is_beside_plane ? std::uint8_t{0} : std::uint8_t{1}};
+  patches.patch_of = {chain.is_row ? kNone : 0, kNone};
+  patches.is_freeform = {chain.is_row, !chain.is_beside_plane};
   drop_loose_tangents(scene, topology, patches, is_line, kinds);
   return static_cast<std::size_t>(std::count(kinds.begin(), kinds.end(), PatchEdge::tangent));
 }
@@ -275,7 +276,7 @@ std::string left_at_hook(const std::string& text) {
   return std::to_string(tangents_left_at_hook(std::stoi(text), text.ends_with("surface")));
 }
 
-/// For loose/loose_tangents.txt: "EDGES", of a chain, and "free-forms", "ring", "held", "width=W", "object=LENGTH" or
+/// For loose/loose_tangents.txt: "EDGES", of a chain, and "free-forms", "ring", "held", "row", "width=W", "object=LENGTH" or
 /// "step=LENGTH".
 std::string left_of_chain(const std::string& text) {
   TangentChain chain;
@@ -285,6 +286,7 @@ std::string left_of_chain(const std::string& text) {
     if (word == "free-forms") chain.is_beside_plane = false;
     if (word == "ring") chain.is_ring = true;
     if (word == "held") chain.is_held = true;
+    if (word == "row") chain.is_row = true;
     if (word.starts_with("width")) chain.width = value;
     if (word.starts_with("object")) chain.object_size = value;
     if (word.starts_with("step")) chain.step = value;

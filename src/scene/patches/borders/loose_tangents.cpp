@@ -10,6 +10,7 @@
 #include "scene/model/topology.hpp"
 #include "scene/patches/borders/edge_chains.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
+#include "scene/patches/borders/strip_sides.hpp"
 #include "scene/patches/borders/unlike_surfaces.hpp"
 
 namespace ligne {
@@ -21,9 +22,9 @@ constexpr std::size_t kMostLooseEdges = 3;
 /// Adjustable. Longest line of up to kMostLooseEdges edges from a free end to a corner that is dropped as a hook at the
 /// line beyond, as a fraction of the diagonal of its object's bounding box.
 constexpr double kLongestHook = 1.0 / 16;
-/// Adjustable. For the side of a strip of a cylinder: largest sine of its angle to the axis (1 degree), and least ratio
-/// of its length to the width of the face beside it.
-constexpr double kStripSine = 0.0175, kStripLength = 4;
+/// Adjustable. Chains of up to kMostLooseEdges edges beside a plane are kept where one end lies on another line and they are
+/// longer than this part of that diagonal.
+constexpr double kLongRow = 1.0 / 8;
 /// Adjustable. Largest total length of connected tangent edges that are dropped because they meet no other line, as a
 /// fraction of the diagonal of their object's bounding box. Longer ones tell more of the shape than their loose ends
 /// disturb.
@@ -205,6 +206,7 @@ class TangentChains {
         chain.push_back(next);
         node = other_end(chain.back(), *node);
       }
+      if (node->is_held && is_long_row(chain)) continue;
       const auto is_strip = [&](std::uint32_t e) { return is_of_strip(e); };
       if (chain.size() > kMostLooseEdges || std::ranges::any_of(chain, is_strip)) {
         chain.resize(hook);
@@ -293,11 +295,20 @@ class TangentChains {
 
   /// Whether a chain is a hook by its length.
   bool is_short(std::span<const std::uint32_t> chain) {
+    return length_of(chain) <= kLongestHook * size_of_object(ends_of(chain[0])[0]);
+  }
+
+  /// Whether a chain is long, and lies between a plane and rows of a free form.
+  bool is_long_row(std::span<const std::uint32_t> chain) {
+    const auto is_row = [&](std::uint32_t e) { return is_of_row_at_plane(scene_, topology_, patches_, e); };
+    return length_of(chain) >= kLongRow * size_of_object(ends_of(chain[0])[0]) && std::ranges::all_of(chain, is_row);
+  }
+
+  double length_of(std::span<const std::uint32_t> chain) const {
     double length = 0;
-    for (const std::uint32_t e : chain) {
+    for (const std::uint32_t e : chain)
       length += glm::distance(scene_.vertices[ends_of(e)[0]], scene_.vertices[ends_of(e)[1]]);
-    }
-    return length <= kLongestHook * size_of_object(ends_of(chain[0])[0]);
+    return length;
   }
 
   /// Whether two edges that meet at a vertex belong to different lines.
@@ -310,25 +321,7 @@ class TangentChains {
     return -glm::dot(from, to) < kChainCosine * glm::length(from) * glm::length(to);
   }
 
-  /// Whether an edge is a side of a strip of a cylinder. If the file shades the edge smooth, the rules for meshes
-  /// decide.
-  bool is_of_strip(std::uint32_t e) const {
-    if (topology_.edge_flags[e] & kEdgeSmooth) return false;
-    const Edge& edge = topology_.edges[e];
-    const Point3 &from = scene_.vertices[edge.v0], along = scene_.vertices[edge.v1] - from;
-    const double squared = glm::dot(along, along);
-    const auto is_strip = [&](std::uint32_t face) {
-      const std::uint32_t p = patches_.patch_of[face];
-      if (p == kNone || patches_.list[p].surface.kind != SurfaceKind::cylinder) return false;
-      const double sine = glm::length(glm::cross(along, patches_.list[p].surface.axis));
-      if (sine * sine > kStripSine * kStripSine * squared) return false;
-      // The length of the cross product is the edge's length times the distance of the corner from its line.
-      return std::ranges::all_of(scene_.faces.contour(face, 0), [&](std::uint32_t v) {
-        return kStripLength * glm::length(glm::cross(along, scene_.vertices[v] - from)) <= squared;
-      });
-    };
-    return is_strip(edge.face0) || is_strip(edge.face1);
-  }
+  bool is_of_strip(std::uint32_t e) const { return ligne::is_of_strip(scene_, topology_, patches_, e); }
 
   /// Diagonal of the bounding box of the object that a vertex belongs to.
   double size_of_object(std::uint32_t vertex) {
