@@ -57,14 +57,20 @@ void add_square(Matrix& m, const Row& row, double weight = 1) {
   }
 }
 
-/// Adds the outer products of the derivatives at p along the three axes, which have four terms each, to the lower triangle.
-void add_gradient_square(Matrix& m, const Point3& p, double weight) {
+/// Sums of the products of (x, y, z, 1) at several points.
+using Moments = std::array<std::array<double, 4>, 4>;
+
+/// Adds the outer products of the derivatives along the three axes to the lower triangle. These are linear at each point.
+void add_gradient_squares(Matrix& m, const Moments& moments, double weight) {
   constexpr std::array<std::array<std::size_t, 4>, 3> kTerms{{{0, 3, 4, 6}, {1, 3, 5, 7}, {2, 4, 5, 8}}};
+  constexpr std::array<std::array<std::size_t, 4>, 3> kPlaces{{{0, 1, 2, 3}, {1, 0, 2, 3}, {2, 0, 1, 3}}};
+  constexpr std::array<double, 4> kFactors{2, 1, 1, 1};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const int k = static_cast<int>(axis);
-    const std::array<double, 4> values{2 * p[k], p[k == 0 ? 1 : 0], p[k == 2 ? 1 : 2], 1};
     for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = 0; j <= i; ++j) m[kTerms[axis][i]][kTerms[axis][j]] += weight * values[i] * values[j];
+      for (std::size_t j = 0; j <= i; ++j) {
+        m[kTerms[axis][i]][kTerms[axis][j]] +=
+            weight * kFactors[i] * kFactors[j] * moments[kPlaces[axis][i]][kPlaces[axis][j]];
+      }
     }
   }
 }
@@ -102,13 +108,18 @@ class QuadricFit {
   std::optional<Row> best() const {
     Matrix weighted = squares_, rises{};
     Row a{};
+    Moments moments{};
     for (const FacetFrame& f : sample_.frames) {
       const Point3 at = placed(f.middle);
-      add_gradient_square(weighted, at, kNormalWeight);
+      const std::array<double, 4> place{at.x, at.y, at.z, 1};
+      for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t j = 0; j < 4; ++j) moments[i][j] += place[i] * place[j];
+      }
       const Row rise = slopes(at, f.normal);
       add_square(rises, rise);
       for (std::size_t i = 0; i < kCount; ++i) a[i] += rise[i];
     }
+    add_gradient_squares(weighted, moments, kNormalWeight);
     // The slopes across the normals are what the slopes along them leave of the gradients.
     for (std::size_t i = 0; i < kCount; ++i) {
       for (std::size_t j = 0; j <= i; ++j) {
