@@ -32,7 +32,13 @@ LineMap::LineMap(StrokeModel& model, const std::function<bool(const Stroke&)>& t
   });
   pieces_.reserve(members.size());
   for (const std::uint32_t i : members) pieces_.push_back({model.strokes[i], i, kNone});
-  nodes_ = Nodes(model.strokes, members);
+  parallel_tasks(2, [&](std::size_t task) {
+    if (task == 0) {
+      nodes_ = Nodes(model.strokes, members);
+    } else if (meetings.reach > 0) {
+      file_pieces();
+    }
+  });
   if (meetings.reach > 0) find_contacts();
 }
 
@@ -87,13 +93,12 @@ std::optional<LineMap::Meeting> LineMap::nearest_line(std::uint32_t end) {
 }
 
 void LineMap::find_contacts() {
-  file_pieces();
   const std::vector<std::uint32_t> ends = indices_where(nodes_.end_count(), [&](std::size_t i) {
     const auto end = static_cast<std::uint32_t>(i);
     return meetings_.any_node ? nodes_.first(nodes_.of(end)) == end : is_free(end);
   });
   std::vector<std::optional<Meeting>> nearest(ends.size());
-  parallel_blocks(ends.size(), kSearchBlock, [&](std::size_t begin, std::size_t last) {
+  parallel_blocks(ends.size(), kEndBlock, [&](std::size_t begin, std::size_t last) {
     for (std::size_t i = begin; i < last; ++i) nearest[i] = nearest_line(ends[i]);
   });
   std::vector<Meeting> meetings;

@@ -14,6 +14,7 @@
 /// Invariants: an end is linked to its node if and only if its piece is alive; the pieces of a stroke follow each other
 /// without a gap, in the order of the stroke.
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -36,6 +37,9 @@ struct Contact {
   std::uint32_t node, other;
   double distance;
 };
+
+/// Ends of lines that one task looks at: there are few in a drawing. Adjustable.
+inline constexpr std::size_t kEndBlock = 32;
 
 /// Selects the points of lines that become contacts.
 struct Meetings {

@@ -89,7 +89,7 @@ class OpenEnds {
   /// Bridges between ends that are each other's nearest.
   std::vector<Bridge> bridges() const {
     std::vector<std::uint32_t> nearest_to(ends_.size());
-    parallel_blocks(ends_.size(), kSearchBlock, [&](std::size_t begin, std::size_t last) {
+    parallel_blocks(ends_.size(), kEndBlock, [&](std::size_t begin, std::size_t last) {
       for (std::size_t e = begin; e < last; ++e) nearest_to[e] = nearest(static_cast<std::uint32_t>(e));
     });
     std::vector<Bridge> found;

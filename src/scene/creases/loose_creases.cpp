@@ -9,6 +9,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/model/object_sizes.hpp"
 
 namespace ligne {
@@ -78,7 +79,7 @@ class BluntCreases {
       sets.join(creases_.back().group, first_end(topology_.edges[e].v1));
     }
     for (Crease& crease : creases_) crease.group = sets.find(crease.group);
-    std::ranges::sort(creases_);
+    parallel_sort(creases_.begin(), creases_.end());
   }
 
   bool is_blunt(std::span<const Crease> group) const {

@@ -8,6 +8,7 @@
 
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "scene/patches/borders/edge_chains.hpp"
 
 namespace ligne {
@@ -34,7 +35,7 @@ class GapCloser {
       if (kind == Kind::none) continue;
       for (const std::uint32_t v : {topology_.edges[e].v0, topology_.edges[e].v1}) ends_.push_back({v, kind, e});
     }
-    std::ranges::sort(ends_);
+    parallel_sort(ends_.begin(), ends_.end());
     for (std::size_t first = 0, last = 0; first < ends_.size(); first = last) {
       while (last < ends_.size() && ends_[last].vertex == ends_[first].vertex) ++last;
       // The tangent edges at a vertex come before lines, and lines before open borders.
