@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "picture/choice/method_choice.hpp"
 #include "picture/clear/clear_creases.hpp"
 #include "picture/clear/refined_picture.hpp"
 #include "picture/culling.hpp"
@@ -17,7 +18,6 @@
 #include "picture/products.hpp"
 #include "scene/clean/check_facts.hpp"
 #include "view/tolerances.hpp"
-#include "visibility/penetration/joined_facets.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
@@ -38,13 +38,41 @@ double least_bytes(const Scene& scene) {
                              scene.faces.size() * sizeof(Topology::triangles[0]));
 }
 
-/// Adjustable: with more triangles, the method makes the facets later. By then the topology, which takes twice their
-/// memory, is freed.
-constexpr std::size_t kMostEarlyFacets = 2'000'000;
+/// Adjustable: with more triangles, the method makes the facets later. By then the topology, which takes twice their memory,
+/// is freed. With fewer than kFewestEarly, scenes are often refined, so that an early study would be in vain.
+constexpr std::size_t kMostEarlyFacets = 2'000'000, kFewestEarly = 2'000, kMostEarly = 200'000;
+
+/// Whether the method begins with the facets of all faces, which do not depend on lines.
+bool begins_with_facets(const PreparedScene& prepared) {
+  const LineRequest& lines = prepared.request.lines;
+  return draws_contours(lines) && !lines.cull && &prepared.method == &default_method() &&
+         prepared.topology.triangles.size() <= kMostEarlyFacets;
+}
+
+/// Faces that were placed and studied while creases were chosen.
+struct EarlyFaces {
+  ProjectedScene page;  ///< without candidates
+  PlacedNumbers numbers;
+  FaceStudy study;
+};
+
+std::optional<EarlyFaces> study_early(const PreparedScene& prepared) {
+  const LineRequest& lines = prepared.request.lines;
+  const std::size_t n = prepared.topology.triangles.size();
+  if (!begins_with_facets(prepared) || n < kFewestEarly || n > kMostEarly) return std::nullopt;
+  ProjectedScene page =
+      select_candidates(prepared.scene, prepared.topology, prepared.view(), {.classes = lines.studied(), .no_edges = true});
+  if (!page.with_intersections || chooses_regions(prepared.request, page)) return std::nullopt;
+  auto numbers = place_faces(prepared.scene, prepared.topology, page);
+  if (!numbers) return std::nullopt;
+  FaceStudy study = study_faces(page, &prepared.topology, lines.hidden != HiddenLines::none, true);
+  return EarlyFaces{std::move(page), std::move(*numbers), std::move(study)};
+}
 
 /// Places the scene on the page and, in parallel, finds the contours that replace outlines. The contours depend on the
 /// candidate outlines, nearly all of which remain after placement. If some do not, the contours are computed again.
-SmoothContours place_with_contours(PreparedScene& prepared, const Creases& creases, RunReport& run) {
+SmoothContours place_with_contours(PreparedScene& prepared, const Creases& creases, std::optional<EarlyFaces> early,
+                                   RunReport& run) {
   const Scene& scene = prepared.scene;
   const Topology& topology = prepared.topology;
   ProjectedScene& projected = prepared.projected;
@@ -52,24 +80,29 @@ SmoothContours place_with_contours(PreparedScene& prepared, const Creases& creas
   std::vector<std::uint32_t> outlines;
   if (with_contours) outlines = outline_edges(topology, projected);
   const ContourOptions options = contour_options(prepared.request, creases);
-  // The default method begins with the facets, and they do not depend on lines.
-  const bool makes_facets = with_contours && !prepared.request.lines.cull && &prepared.method == &default_method() &&
-                            topology.triangles.size() <= kMostEarlyFacets;
   OutlinePatch patch;
   parallel_tasks(with_contours ? 2 : 1, [&](std::size_t task) {
     if (task == 0) {
-      place_on_page(scene, topology, projected);
+      if (early) {
+        early->page.edges = std::move(projected.edges);
+        projected = std::move(early->page);
+        place_candidates(early->numbers, projected);
+      } else {
+        place_on_page(scene, topology, projected);
+      }
     } else {
-      patch = patch_of_outlines(scene, topology, projected.view.camera, outlines, options.borders);
+      patch = patch_of_outlines(scene, topology, prepared.view().camera, outlines, options.borders);
     }
   });
   // The facets come second, since one thread makes them. So two threads can finish the patch first.
   OutlineReplacement replacement;
   parallel_tasks(with_contours ? 2 : 0, [&](std::size_t task) {
     if (task == 0) {
-      if (!makes_facets) return;
-      Facets& made = prepared.facets.emplace(make_facets(projected, coincidence_mm(projected) / projected.lattice.step_mm));
-      if (projected.with_intersections) made.joined = joined_facets(projected, topology, made.facets);
+      if (early) {
+        prepared.faces = std::move(early->study);
+      } else if (begins_with_facets(prepared)) {
+        prepared.faces = study_faces(projected, &topology, false, false);
+      }
     } else {
       replacement = replacement_of(scene, topology, projected, std::move(patch), options);
     }
@@ -80,37 +113,55 @@ SmoothContours place_with_contours(PreparedScene& prepared, const Creases& creas
   return replace_outlines(projected, std::move(replacement));
 }
 
-/// The creases of a mesh, and how they select edges.
-struct ChosenCreases {
+/// The creases of a mesh, and what depends on them.
+struct ChosenLines {
   Creases creases;
-  bool decide = false;  ///< whether they select edges; otherwise angles do
+  std::shared_ptr<GivenScene> given;  ///< the scene and its refinement, which the others are of; or null
+  std::vector<ShapeLine> tangents;    ///< along fillets
+  ProjectedScene candidates;          ///< the edges
+  std::optional<EarlyFaces> early;
 };
 
-/// Finds the creases, and refines the surfaces behind a coarse mesh. `scene` is then the refined one.
-ChosenCreases find_lines(const Scene*& scene, PreparedScene& prepared, RunReport& run) {
+/// Finds the creases, refines the surfaces behind a coarse mesh, which gives another scene, and chooses the lines along
+/// fillets for this view and the candidate edges. Studies the faces of the given scene meanwhile.
+ChosenLines choose_lines(const PreparedScene& prepared, RunReport& run) {
   const LineRequest& lines = prepared.request.lines;
-  ChosenCreases found;
-  found.decide = select_edges(*scene, prepared.topology, lines, lines.studied(), found.creases, run).creases != nullptr;
-  decide_sheets_by_view(*scene, prepared.topology, prepared.view().camera, found.creases);
-  if (draws_contours(lines)) {
-    if (auto given = refine_on_page(*scene, prepared.topology, prepared.view(), prepared.request, found.creases)) {
-      scene = &given->refined.scene;
-      found.creases.shapes = {};
-      prepared.given = std::move(given);
+  const View& view = prepared.view();
+  const Scene* scene = &prepared.scene;
+  const Topology* topology = &prepared.topology;
+  ChosenLines found;
+  const auto search = search_creases(*scene, *topology, lines, lines.studied());
+  parallel_tasks(search ? 2 : 1, [&](std::size_t task) {
+    if (task == 1) {
+      found.early = study_early(prepared);
+      return;
     }
-  }
+    Creases& creases = found.creases;
+    EdgeSelection selection = select_edges(search, lines, lines.studied(), creases, run);
+    decide_sheets_by_view(*scene, *topology, view.camera, creases);
+    if (draws_contours(lines)) found.given = refine_on_page(*scene, *topology, view, prepared.request, creases);
+    if (found.given) {
+      scene = &found.given->refined.scene;
+      topology = &found.given->refined.topology;
+      creases.shapes = {};
+    }
+    found.tangents = choose_tangent_lines(*scene, *topology, prepared.request, view, creases);
+    if (!creases.shapes.heights.empty()) selection.shapes = &creases.shapes;
+    found.candidates = select_candidates(*scene, *topology, view, selection);
+    creases.shapes = {};
+  });
   return found;
 }
 
-/// Selects the lines along fillets for this view (into `tangents`) and the candidate edges, and projects the edges.
-void select_lines(PreparedScene& prepared, ChosenCreases& chosen, std::vector<ShapeLine>& tangents) {
-  const LineRequest& lines = prepared.request.lines;
-  tangents = choose_tangent_lines(prepared.scene, prepared.topology, prepared.request, prepared.view(), chosen.creases);
-  TriangleShapes& shapes = chosen.creases.shapes;
-  const EdgeSelection selection{lines.studied(), lines.crease_degrees, chosen.decide ? &chosen.creases.lines : nullptr,
-                                shapes.heights.empty() ? nullptr : &shapes};
-  prepared.projected = select_candidates(prepared.scene, prepared.topology, prepared.view(), selection);
-  shapes = {};
+/// The preparation of the refined scene, if there is one.
+PreparedScene refined(PreparedScene prepared, ChosenLines& chosen) {
+  const std::shared_ptr<GivenScene> given = std::move(chosen.given);
+  if (!given) return prepared;
+  prepared.given = given;
+  given->edges = std::move(prepared.topology.edges);
+  prepared.topology = std::move(given->refined.topology);
+  chosen.early.reset();
+  return with_scene(std::move(prepared), given->refined.scene);
 }
 
 /// Adds the lines along fillets and the requested shape lines.
@@ -163,12 +214,11 @@ void add_other_lines(PreparedScene& prepared) {
   add_lines(projected, all_lines(prepared.around), LineClass::axes);
 }
 
-/// Selects and places all lines.
-void place_lines(PreparedScene& prepared, ChosenCreases chosen, RunReport& run) {
-  std::vector<ShapeLine> tangents;
-  select_lines(prepared, chosen, tangents);
-  prepared.contours = place_with_contours(prepared, chosen.creases, run);
-  add_lines_of_shape(prepared, std::move(tangents), chosen.creases);
+/// Places all lines.
+void place_lines(PreparedScene& prepared, ChosenLines chosen, RunReport& run) {
+  prepared.projected = std::move(chosen.candidates);
+  prepared.contours = place_with_contours(prepared, chosen.creases, std::move(chosen.early), run);
+  add_lines_of_shape(prepared, std::move(chosen.tangents), chosen.creases);
   keep_surfaces(prepared, std::move(chosen.creases));
   add_other_lines(prepared);
   prepared.lights = lights_of(prepared.request, prepared.scene);
@@ -201,9 +251,8 @@ PreparedScene prepare(const Scene& scene, PictureRequest requested, const std::o
   return timed(run.stages, {"project", faces}, [&] {
     prepared.around =
         place_with_axes(box, scene, camera_of(request.view, scene), request.page, request.axes, request.heading);
-    const Scene* drawn = &scene;
-    ChosenCreases chosen = find_lines(drawn, prepared, run);
-    PreparedScene placed = with_scene(std::move(prepared), *drawn);
+    ChosenLines chosen = choose_lines(prepared, run);
+    PreparedScene placed = refined(std::move(prepared), chosen);
     place_lines(placed, std::move(chosen), run);
     return placed;
   });
@@ -218,7 +267,7 @@ PreparedScene with_scene(PreparedScene prepared, const Scene& scene) {
           std::move(prepared.projected),
           std::move(prepared.back_faces),
           std::move(prepared.lights),
-          std::move(prepared.facets),
+          std::move(prepared.faces),
           std::move(prepared.contours),
           std::move(prepared.shape_lines),
           std::move(prepared.scans),

@@ -19,7 +19,7 @@
 #include "scene/patches/patch_circles.hpp"
 #include "view/cull.hpp"
 #include "view/projected_scene.hpp"
-#include "visibility/common/facet.hpp"
+#include "visibility/edges/edge_visibility.hpp"
 #include "visibility/method.hpp"
 
 namespace ligne {
@@ -37,8 +37,8 @@ struct PreparedScene {
   ProjectedScene projected;
   BackFaces back_faces;       ///< culled faces, which `projected` does not contain
   std::vector<Light> lights;  ///< lights of fills, hatching and shadows
-  /// Facets of `projected` if an idle thread made them; otherwise the method makes them.
-  std::optional<Facets> facets{};
+  /// Facets of `projected`, and what follows from them, if an idle thread made them; otherwise the method makes them.
+  std::optional<FaceStudy> faces{};
   SmoothContours contours{};  ///< replace outlines of the mesh
   ShapeLines shape_lines{};   ///< suggestive contours, ridges, valleys, and tangent lines along fillets
   std::vector<ScanObject> scans{};

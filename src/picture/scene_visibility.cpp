@@ -78,7 +78,7 @@ VisibilityOptions study_options(const PreparedScene& prepared, std::optional<Spa
   options.earlier = request.earlier.get();
   options.blank = request.blank.get();
   options.overlap_if_visible = overlap_if_visible(request, prepared.scene);
-  options.facets = prepared.facets ? &*prepared.facets : nullptr;
+  options.faces = prepared.faces ? &*prepared.faces : nullptr;
   return options;
 }
 
@@ -162,7 +162,7 @@ SceneVisibility compute_visibility(PreparedScene& prepared, std::optional<SpanLi
     run.choices.emplace_back("method", std::move(choice.why));
     return std::move(choice.result);
   });
-  prepared.facets.reset();
+  prepared.faces.reset();
   run.method = found.method->traits().name;
   if (!found.result.strokes) {
     throw RequestError("method", std::string(found.method->traits().name) + " does not produce lines");

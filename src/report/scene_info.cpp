@@ -94,7 +94,8 @@ SceneInfo scene_info(const LoadedModels& models, const ViewRequest& view, const 
   timed(run.stages, "project", [&] {
     info.placement = place(scene, camera_of(view, scene), page);
     Creases creases;
-    const EdgeSelection all = select_edges(scene, topology, lines, parse_edges("all"), creases, run);
+    const LineClasses classes = parse_edges("all");
+    const EdgeSelection all = select_edges(search_creases(scene, topology, lines, classes), lines, classes, creases, run);
     info.surfaces = surface_facts(found_surfaces(scene, creases.patches));
     projected = project(scene, topology, info.placement.view, all);
     if (lines.cull) info.culled = cull_back_faces(scene, topology, projected, run);

@@ -148,9 +148,7 @@ std::vector<Repeated> repeated_triangles(const ProjectedScene& scene) {
   return all;
 }
 
-/// Per face of `repeated`, the face that replaces it: pairs (face, lower face), ascending.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> repeated_faces(const ProjectedScene& scene,
-                                                                    const std::vector<Repeated>& repeated) {
+ReplacedFaces repeated_faces(const ProjectedScene& scene, const std::vector<Repeated>& repeated) {
   std::vector<std::uint32_t> triangles_of_face;
   for (const Triangle& t : scene.triangles) {
     if (t.face >= triangles_of_face.size()) triangles_of_face.resize(t.face + std::size_t{1}, 0);
@@ -174,7 +172,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> repeated_faces(const Projec
   const auto equal = [&](const Face& a, const Face& b) {
     return std::ranges::equal(run(a), run(b), {}, &Repeated::first, &Repeated::first);
   };
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> result;
+  ReplacedFaces result;
   for_each_equal(
       std::span(faces), equal,
       [&](const Face& a, const Face& b) {
@@ -184,23 +182,6 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> repeated_faces(const Projec
       [&](const Face& first, const Face& other) { result.emplace_back(other.face, first.face); });
   std::sort(result.begin(), result.end());
   return result;
-}
-
-void merge_faces(ProjectedScene& scene) {
-  const std::vector<Repeated> repeated = repeated_triangles(scene);
-  if (repeated.empty()) return;
-  const auto faces = repeated_faces(scene, repeated);
-  if (faces.empty()) return;
-  const auto find = [&](std::uint32_t face) {
-    const auto found = std::lower_bound(faces.begin(), faces.end(), std::pair(face, std::uint32_t{0}));
-    return found != faces.end() && found->first == face ? found->second : kNone;
-  };
-  std::erase_if(scene.triangles, [&](const Triangle& t) { return find(t.face) != kNone; });
-  for (ProjectedEdge& edge : scene.edges) {
-    for (std::uint32_t* face : {&edge.face0, &edge.face1}) {
-      if (const std::uint32_t first = find(*face); first != kNone) *face = first;
-    }
-  }
 }
 
 /// A candidate edge by the places of its ends.
@@ -243,13 +224,33 @@ void merge_edges(ProjectedScene& scene) {
   if (!scene.edge_parts.empty()) scene.edge_parts.resize(kept);
 }
 
+/// The face that replaces a face, or kNone.
+std::uint32_t replacement(const ReplacedFaces& replaced, std::uint32_t face) {
+  const auto found = std::lower_bound(replaced.begin(), replaced.end(), std::pair(face, std::uint32_t{0}));
+  return found != replaced.end() && found->first == face ? found->second : kNone;
+}
+
 }  // namespace
 
-void merge_coincident(ProjectedScene& scene, bool may_repeat) {
+ReplacedFaces merge_coincident_faces(ProjectedScene& scene, bool may_repeat) {
   const double side_mm = coincidence_mm(scene) / 2;  // a vertex moves by at most two sides in each direction
   merge_vertex_clusters(scene.vertices, std::max(side_mm / scene.lattice.step_mm, 1.0), side_mm);
   scene.first_at_place = find_first_at_place(scene.vertices);
-  if (may_repeat || !scene.first_at_place.empty()) merge_faces(scene);
+  if (!may_repeat && scene.first_at_place.empty()) return {};
+  const std::vector<Repeated> repeated = repeated_triangles(scene);
+  if (repeated.empty()) return {};
+  ReplacedFaces replaced = repeated_faces(scene, repeated);
+  if (!replaced.empty())
+    std::erase_if(scene.triangles, [&](const Triangle& t) { return replacement(replaced, t.face) != kNone; });
+  return replaced;
+}
+
+void merge_coincident_edges(ProjectedScene& scene, const ReplacedFaces& replaced) {
+  for (std::size_t i = 0; i < scene.edges.size() && !replaced.empty(); ++i) {
+    for (std::uint32_t* face : {&scene.edges[i].face0, &scene.edges[i].face1}) {
+      if (const std::uint32_t first = replacement(replaced, *face); first != kNone) *face = first;
+    }
+  }
   merge_edges(scene);
 }
 

@@ -142,7 +142,7 @@ class Clipper {
 
   const Scene& scene_;
   const View& view_;
-  const Volumes& volumes_;
+  Volumes volumes_;
   ProjectedScene& out_;
   std::vector<std::uint8_t> inside_;                                   ///< per vertex: inside the volume of faces
   std::unordered_map<Coordinates, std::uint32_t, Hash> cut_vertices_;  ///< of the current object
@@ -198,25 +198,36 @@ ProjectedScene select_candidates(const Scene& scene, const Topology& topology, c
   std::vector<std::int8_t> sure;
   if (selection.shapes) sure = sure_facings(scene, view.camera, *selection.shapes, largest);
   out.face_is_edge_on = faces_seen_edge_on(scene, topology, view.camera, largest, sure);
-  select_edges(scene, topology, selection, std::move(sure), out);
+  if (!selection.no_edges) select_edges(scene, topology, selection, std::move(sure), out);
   return out;
 }
 
+std::optional<PlacedNumbers> place_faces(const Scene& scene, const Topology& topology, ProjectedScene& projected) {
+  if (!project_vertices(scene, projected.view, volumes_of(projected), projected)) return std::nullopt;
+  projected.triangles = large_vector<Triangle>(topology.triangles.size());
+  parallel_blocks(projected.triangles.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    std::copy_n(topology.triangles.data() + begin, end - begin, projected.triangles.data() + begin);
+  });
+  PlacedNumbers numbers{order_faces_spatially(projected), {}};
+  numbers.faces = merge_coincident_faces(projected, topology.may_repeat_triangles);
+  return numbers;
+}
+
+void place_candidates(const PlacedNumbers& numbers, ProjectedScene& projected) {
+  order_edges_spatially(projected, numbers.vertices);
+  merge_coincident_edges(projected, numbers.faces);
+}
+
 void place_on_page(const Scene& scene, const Topology& topology, ProjectedScene& projected) {
-  const Volumes volumes = volumes_of(projected);
-  const bool is_whole = project_vertices(scene, projected.view, volumes, projected);
-  if (is_whole) {
-    projected.triangles = large_vector<Triangle>(topology.triangles.size());
-    parallel_blocks(projected.triangles.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-      std::copy_n(topology.triangles.data() + begin, end - begin, projected.triangles.data() + begin);
-    });
-  } else {
-    Clipper clipper(scene, projected.view, volumes, projected);
+  std::optional<PlacedNumbers> numbers = place_faces(scene, topology, projected);
+  if (!numbers) {
+    Clipper clipper(scene, projected.view, volumes_of(projected), projected);
     clipper.clip_triangles(topology.triangles);
     clipper.clip_edges();
+    numbers = PlacedNumbers{order_faces_spatially(projected), {}};
+    numbers->faces = merge_coincident_faces(projected, true);
   }
-  order_spatially(projected);
-  merge_coincident(projected, !is_whole || topology.may_repeat_triangles);
+  place_candidates(*numbers, projected);
 }
 
 ProjectedScene project(const Scene& scene, const Topology& topology, const View& view, const EdgeSelection& selection) {

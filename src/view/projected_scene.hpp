@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/no_index.hpp"
@@ -39,6 +41,7 @@ struct EdgeSelection {
   double crease_degrees = 30;
   const std::vector<std::uint8_t>* creases = nullptr;  ///< per edge, see crease_lines.hpp; null: by angle
   const TriangleShapes* shapes = nullptr;              ///< of the scene; null: not known
+  bool no_edges = false;                               ///< whether none does
 };
 
 /// The scene as the camera sees it. Vertices are renumbered along a Morton curve over the page; faces and source edges
@@ -90,6 +93,22 @@ ProjectedScene select_candidates(const Scene& scene, const Topology& topology, c
 /// slightly more (clip.hpp), and snaps to the lattice. It drops candidates that are out of view or coincide with
 /// another candidate.
 void place_on_page(const Scene& scene, const Topology& topology, ProjectedScene& projected);
+
+/// Pairs (face, lower face that replaces it), ascending.
+using ReplacedFaces = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+/// New numbers of vertices and faces of the scene.
+struct PlacedNumbers {
+  std::vector<std::uint32_t> vertices;
+  ReplacedFaces faces;
+};
+
+/// The part of place_on_page() that does not depend on candidates. Returns nothing if a part of the scene is out of view:
+/// that part must be clipped.
+std::optional<PlacedNumbers> place_faces(const Scene& scene, const Topology& topology, ProjectedScene& projected);
+
+/// The other part of place_on_page().
+void place_candidates(const PlacedNumbers& numbers, ProjectedScene& projected);
 
 /// Calls select_candidates() and place_on_page().
 ProjectedScene project(const Scene& scene, const Topology& topology, const View& view, const EdgeSelection& selection);

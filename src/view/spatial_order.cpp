@@ -82,31 +82,33 @@ std::uint32_t page_square(LatticePoint p) {
   return spread_bits(square(p.x)) | (spread_bits(square(p.y)) << 1);
 }
 
-void order_spatially(ProjectedScene& scene) {
+std::vector<std::uint32_t> order_faces_spatially(ProjectedScene& scene) {
   const std::size_t n = scene.vertices.size();
-  std::vector<std::uint32_t> key_of_triangle = large_vector<std::uint32_t>(scene.triangles.size());
-  std::vector<std::uint32_t> key_of_edge = large_vector<std::uint32_t>(scene.edges.size());
-  {
-    std::vector<std::uint32_t> number(n);
-    for_each_index(n, [&](std::size_t i) { number[i] = page_square(scene.vertices[i].p); });
-    const auto order = stable_order(number, std::size_t{1} << (2 * kMortonBits));
-    scene.vertices = in_order(scene.vertices, order);
-    for_each_index(n, [&](std::size_t k) { number[order[k]] = static_cast<std::uint32_t>(k); });
-    for_each_index(scene.triangles.size(), [&](std::size_t i) {
-      if (i + kTurnsAhead < scene.triangles.size()) prefetch(number, scene.triangles[i + kTurnsAhead].v);
-      auto& v = scene.triangles[i].v;
-      for (std::uint32_t& corner : v) corner = number[corner];
-      key_of_triangle[i] = std::min({v[0], v[1], v[2]});
-    });
-    for_each_index(scene.edges.size(), [&](std::size_t i) {
-      ProjectedEdge& edge = scene.edges[i];
-      edge.v0 = number[edge.v0];
-      edge.v1 = number[edge.v1];
-      key_of_edge[i] = std::min(edge.v0, edge.v1);
-    });
-  }
-  scene.triangles = in_order(scene.triangles, stable_order(key_of_triangle, n));
-  const auto order = stable_order(key_of_edge, n);
+  std::vector<std::uint32_t> number(n);
+  for_each_index(n, [&](std::size_t i) { number[i] = page_square(scene.vertices[i].p); });
+  const auto order = stable_order(number, std::size_t{1} << (2 * kMortonBits));
+  scene.vertices = in_order(scene.vertices, order);
+  for_each_index(n, [&](std::size_t k) { number[order[k]] = static_cast<std::uint32_t>(k); });
+  std::vector<std::uint32_t> keys = large_vector<std::uint32_t>(scene.triangles.size());
+  for_each_index(scene.triangles.size(), [&](std::size_t i) {
+    if (i + kTurnsAhead < scene.triangles.size()) prefetch(number, scene.triangles[i + kTurnsAhead].v);
+    auto& v = scene.triangles[i].v;
+    for (std::uint32_t& corner : v) corner = number[corner];
+    keys[i] = std::min({v[0], v[1], v[2]});
+  });
+  scene.triangles = in_order(scene.triangles, stable_order(keys, n));
+  return number;
+}
+
+void order_edges_spatially(ProjectedScene& scene, const std::vector<std::uint32_t>& number) {
+  std::vector<std::uint32_t> keys = large_vector<std::uint32_t>(scene.edges.size());
+  for_each_index(scene.edges.size(), [&](std::size_t i) {
+    ProjectedEdge& edge = scene.edges[i];
+    edge.v0 = number[edge.v0];
+    edge.v1 = number[edge.v1];
+    keys[i] = std::min(edge.v0, edge.v1);
+  });
+  const auto order = stable_order(keys, number.size());
   scene.edges = in_order(scene.edges, order);
   if (!scene.edge_parts.empty()) scene.edge_parts = in_order(scene.edge_parts, order);
 }

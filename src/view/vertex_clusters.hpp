@@ -15,7 +15,7 @@ inline constexpr std::size_t kMaxVerticesPerCube = 16;
 /// `side_mm` in depth. The fullest cube is processed first, so no vertex moves by more than two sides along an axis.
 /// Other vertices do not move. Without this, every pair of faces of a cluster would be a decision at the limit of the
 /// tolerance: the work would grow with the square of the input, and the lines would be noise. Vertices must be sorted
-/// by order_spatially(). O(n log n).
+/// by order_faces_spatially(). O(n log n).
 void merge_vertex_clusters(std::vector<ProjectedVertex>& vertices, double side_steps, double side_mm);
 
 }  // namespace ligne

@@ -64,7 +64,7 @@ struct MethodTraits {
   TransparencyMode transparency = TransparencyMode::opaque;
 };
 
-struct Facets;
+struct FaceStudy;
 
 struct VisibilityOptions {
   bool hidden_strokes = false;             ///< also return the hidden pieces of lines
@@ -77,7 +77,7 @@ struct VisibilityOptions {
   const CompiledScene* compiled = nullptr;  ///< result of this method's compile() for ProjectedScene::model, or null
   Keep keep = Keep::nothing;                ///< what VisibilityResult::kept is wanted for
   const KeptVisibility* earlier = nullptr;  ///< VisibilityResult::kept of an earlier run, or null
-  const Facets* facets = nullptr;           ///< make_facets() of the scene, or null if not made; read by `appel` only
+  const FaceStudy* faces = nullptr;         ///< study_faces() of the scene, or null if not made; read by `appel` only
   const OccludedCells* blank = nullptr;     ///< squares of the page in which faces outside this scene hide every
                                             ///< line, or null; read by `appel` only
   /// Stroke::needs_overlap_check depends on visible strokes only, so that the result does not depend on what is hidden.

@@ -31,11 +31,17 @@ bool needs_creases(LineClasses classes) {
   return classes.has(LineClass::crease) || classes.has(LineClass::tangent) || has_shape_lines(classes);
 }
 
-EdgeSelection select_edges(const Scene& scene, const Topology& topology, const LineRequest& request, LineClasses classes,
+std::function<Creases()> search_creases(const Scene& scene, const Topology& topology, const LineRequest& request,
+                                        LineClasses classes) {
+  if (request.quality == Quality::exact || !needs_creases(classes)) return {};
+  return search_creases(scene, topology, {request.crease_degrees, request.surface_crease_degrees});
+}
+
+EdgeSelection select_edges(const std::function<Creases()>& search, const LineRequest& request, LineClasses classes,
                            Creases& creases, RunReport& run) {
   EdgeSelection selection{classes, request.crease_degrees};
-  if (request.quality == Quality::exact || !needs_creases(classes)) return selection;
-  creases = find_creases(scene, topology, {request.crease_degrees, request.surface_crease_degrees});
+  if (!search) return selection;
+  creases = search();
   run.count_clear("creases smooth by the file", creases.smooth_by_file);
   run.count_clear("creases sharp by the file", creases.sharp_by_file);
   run.count_clear("creases inside a surface", creases.inside_surfaces);

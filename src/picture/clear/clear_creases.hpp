@@ -1,6 +1,8 @@
 #pragma once
 /// Selects the creases of clear lines.
 
+#include <functional>
+
 #include "contours/shapes/shape_lines.hpp"
 #include "picture/requests.hpp"
 #include "picture/run_report.hpp"
@@ -14,9 +16,13 @@ namespace ligne {
 /// Whether lines of these classes are creases, or depend on creases.
 bool needs_creases(LineClasses classes);
 
-/// Selects the edges of a picture: by the crease angle for exact lines, by find_creases() for clear ones. Its result
-/// goes into `creases`, which must outlive the selection. Counts in `run` what clear lines change.
-EdgeSelection select_edges(const Scene& scene, const Topology& topology, const LineRequest& request, LineClasses classes,
+/// The search for the creases of clear lines; empty where the crease angle selects edges.
+std::function<Creases()> search_creases(const Scene& scene, const Topology& topology, const LineRequest& request,
+                                        LineClasses classes);
+
+/// Selects the edges of a picture by search_creases(). The result of the search goes into `creases`, which must outlive the
+/// selection. Counts in `run` what clear lines change.
+EdgeSelection select_edges(const std::function<Creases()>& search, const LineRequest& request, LineClasses classes,
                            Creases& creases, RunReport& run);
 
 /// Decides on edges of more than two faces. Removes those of `creases` that are visible from one side only (WallEdge) if

@@ -110,7 +110,7 @@ class GivenNumbers {
 
 }  // namespace
 
-std::shared_ptr<GivenScene> refine_on_page(const Scene& scene, Topology& topology, const View& view,
+std::shared_ptr<GivenScene> refine_on_page(const Scene& scene, const Topology& topology, const View& view,
                                            const PictureRequest& request, Creases& creases) {
   if (!is_of_lines_alone(request) || creases.lines.empty()) return nullptr;
   const auto unit_mm = [&](const Point3& p) {
@@ -123,10 +123,7 @@ std::shared_ptr<GivenScene> refine_on_page(const Scene& scene, Topology& topolog
   std::optional<RefinedScene> refined =
       refine_scene(scene, topology, {kMostInPens * request.page.pen_width_mm, unit_mm}, creases);
   if (!refined) return nullptr;
-  auto given =
-      std::make_shared<GivenScene>(GivenScene{scene, std::move(topology.edges), std::move(patches), std::move(*refined)});
-  topology = std::exchange(given->refined.topology, {});
-  return given;
+  return std::make_shared<GivenScene>(GivenScene{scene, {}, std::move(patches), std::move(*refined)});
 }
 
 DrawnParts on_given_scene(DrawnParts parts) {

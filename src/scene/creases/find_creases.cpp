@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <iterator>
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -34,7 +35,9 @@ constexpr double kTurnCosine = 0.70710678;  ///< cosine of 45 degrees: largest t
 class Finder {
  public:
   Finder(const Scene& scene, const Topology& topology, const CreaseAngles& angles)
-      : scene_(scene), topology_(topology), angles_(angles), sizes_(object_sizes(scene)) {}
+      : scene_(scene), topology_(topology), angles_(angles), sizes_(object_sizes(scene)) {
+    find_surfaces();
+  }
 
   Creases run() {
     classify();
@@ -54,24 +57,25 @@ class Finder {
   }
 
  private:
-  void classify() {
-    FaceBends by_faces;
-    SheetEdges sheets;
+  void find_surfaces() {
     // The search for patches leaves threads idle at times.
     parallel_tasks(2, [&](std::size_t task) {
       if (task == 0) {
         found_.patches = find_patches(scene_, topology_, mesh_);
       } else {
-        by_faces = bends_by_faces(scene_, topology_, mesh_, sizes_, angles_.faces);
-        sheets = find_sheet_edges(scene_, topology_, crease_cosine(angles_.faces));
+        by_faces_ = bends_by_faces(scene_, topology_, mesh_, sizes_, angles_.faces);
+        sheets_ = find_sheet_edges(scene_, topology_, crease_cosine(angles_.faces));
       }
     });
-    bends_ = std::move(by_faces.bends);
-    found_.smooth_by_file = by_faces.smooth_by_file;
-    found_.sharp_by_file = by_faces.sharp_by_file;
-    const std::vector<std::uint8_t>& bent = sheets.bent;
-    found_.walls = std::move(sheets.walls);
-    found_.folds = std::move(sheets.folds);
+  }
+
+  void classify() {
+    bends_ = std::move(by_faces_.bends);
+    found_.smooth_by_file = by_faces_.smooth_by_file;
+    found_.sharp_by_file = by_faces_.sharp_by_file;
+    const std::vector<std::uint8_t>& bent = sheets_.bent;
+    found_.walls = std::move(sheets_.walls);
+    found_.folds = std::move(sheets_.folds);
     for (std::size_t e = 0, i = 0; i < bent.size() && e < bends_.size(); ++e) {
       if (!(topology_.edge_flags[e] & kEdgeManyFaces)) continue;
       bends_[e] = bent[i] ? Bend::firm : Bend::none;
@@ -359,6 +363,8 @@ class Finder {
   std::vector<double> sizes_;  ///< per object
   MeshAngles mesh_ = mesh_angles(scene_, topology_, sizes_);
   EdgeRows rows_{scene_, topology_, mesh_.normals};
+  FaceBends by_faces_;
+  SheetEdges sheets_;
   std::vector<Bend> bends_, raw_;  ///< per edge; raw: by its faces alone
   std::vector<BendEnd> ends_;      ///< ends of the edges that bend, sorted
   std::vector<Node> nodes_;
@@ -368,6 +374,10 @@ class Finder {
 };
 
 }  // namespace
+
+std::function<Creases()> search_creases(const Scene& scene, const Topology& topology, const CreaseAngles& angles) {
+  return [finder = std::make_shared<Finder>(scene, topology, angles)] { return finder->run(); };
+}
 
 Creases find_creases(const Scene& scene, const Topology& topology, const CreaseAngles& angles) {
   return Finder(scene, topology, angles).run();

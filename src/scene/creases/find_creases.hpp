@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "scene/creases/crease_lines.hpp"
@@ -69,5 +70,9 @@ struct Creases {
 /// Edges that the file hides or that triangulation made are not creases. A face without area, or one that is no higher
 /// than the precision of its coordinates, takes the normal of its neighbour across its longest edge.
 Creases find_creases(const Scene& scene, const Topology& topology, const CreaseAngles& angles);
+
+/// find_creases() in two steps: finds surfaces and bends, with all threads. The result, to be called once, decides on the
+/// creases, mostly with the calling thread alone. The scene and its topology must outlive it.
+std::function<Creases()> search_creases(const Scene& scene, const Topology& topology, const CreaseAngles& angles);
 
 }  // namespace ligne

@@ -11,6 +11,7 @@
 #include "visibility/edges/transparent_lines.hpp"
 #include "visibility/edges/visible_parts.hpp"
 #include "visibility/penetration/intersections.hpp"
+#include "visibility/penetration/joined_facets.hpp"
 #include "visibility/polygons/visible_faces.hpp"
 
 // Phases: (1) facets, (2) the screen grid with covers, (3) intersections that are not behind covers, (4) every line through
@@ -20,12 +21,14 @@
 namespace ligne {
 namespace {
 
+double coincidence_steps_of(const ProjectedScene& scene) { return coincidence_mm(scene) / scene.lattice.step_mm; }
+
 /// Options of the screen grid. If there are few candidate lines, only the cells along them are filled.
-CellGrid::Options grid_options(const ProjectedScene& scene, const Facets& facets, double coincidence_steps,
-                               bool hidden_strokes, bool regions, bool see_through) {
+CellGrid::Options grid_options(const ProjectedScene& scene, const Facets& facets, bool hidden_strokes, bool regions,
+                               bool see_through) {
   constexpr std::size_t kManyLines = 4;
   CellGrid::Options options;
-  options.margin_steps = coincidence_steps + 1;
+  options.margin_steps = coincidence_steps_of(scene) + 1;
   options.drop_hidden = !(hidden_strokes && scene.with_intersections);
   options.see_through = see_through;
   if (!regions && !scene.with_intersections && scene.edges.size() * kManyLines < facets.facets.size())
@@ -72,29 +75,42 @@ void report(const TestCounts& counts, Statistics& statistics) {
 
 }  // namespace
 
+FaceStudy study_faces(const ProjectedScene& scene, const Topology* topology, bool hidden_strokes, bool with_grid) {
+  FaceStudy study{make_facets(scene, coincidence_steps_of(scene)), {}, {}};
+  if (topology && scene.with_intersections) study.facets.joined = joined_facets(scene, *topology, study.facets.facets);
+  if (!with_grid || !scene.with_intersections) return study;
+  const std::vector<Facet>& facets = study.facets.facets;
+  const CellGrid::Options options = grid_options(scene, study.facets, hidden_strokes, false, false);
+  study.grid.emplace(scene, facets, options);
+  study.intersections = find_intersections(scene, facets, *study.grid, options.margin_steps, study.facets.joined);
+  return study;
+}
+
 VisibilityResult edge_visibility(const ProjectedScene& scene, const VisibilityOptions& options, const FaceRanks* ranks) {
   VisibilityResult result;
   Statistics& statistics = result.statistics;
-  const double step = scene.lattice.step_mm;
-  const double coincidence_steps = coincidence_mm(scene) / step;
+  const double step = scene.lattice.step_mm, coincidence_steps = coincidence_steps_of(scene);
   Clock clock;
 
   // 1. Facets.
-  std::optional<Facets> made;
-  const Facets& facets = options.facets ? *options.facets : made.emplace(make_facets(scene, coincidence_steps));
+  std::optional<FaceStudy> made;
+  const FaceStudy& faces = options.faces ? *options.faces : made.emplace(study_faces(scene, nullptr, options.hidden_strokes, false));
+  const Facets& facets = faces.facets;
   statistics.time("facets", clock.lap());
 
   // 2. The screen grid.
   const bool regions = ranks && (options.wanted & kRegions), see_through = ranks && !scene.face_is_transparent.empty();
-  const CellGrid::Options of_grid =
-      grid_options(scene, facets, coincidence_steps, options.hidden_strokes, regions, see_through);
-  const CellGrid grid(scene, facets.facets, of_grid);
+  const bool has_grid = faces.grid && !ranks;
+  const CellGrid::Options of_grid = grid_options(scene, facets, options.hidden_strokes, regions, see_through);
+  std::optional<CellGrid> own;
+  const CellGrid& grid = has_grid ? *faces.grid : own.emplace(scene, facets.facets, of_grid);
   statistics.time("grid", clock.lap());
 
   // 3. Intersections.
-  std::vector<Intersection> intersections;
-  if (scene.with_intersections)
-    intersections = find_intersections(scene, facets.facets, grid, of_grid.margin_steps, facets.joined);
+  std::vector<Intersection> found;
+  if (scene.with_intersections && !has_grid)
+    found = find_intersections(scene, facets.facets, grid, of_grid.margin_steps, facets.joined);
+  const std::vector<Intersection>& intersections = has_grid ? faces.intersections : found;
   statistics.time("intersections", clock.lap());
 
   // 4. Lines.
@@ -124,7 +140,6 @@ VisibilityResult edge_visibility(const ProjectedScene& scene, const VisibilityOp
     report(visible, statistics);
     result.regions = std::move(visible.regions);
   }
-
   report(facets, scene, grid, statistics);
   statistics.count("intersection segments tested", intersections.size());
   report(totals.counts, statistics);
