@@ -130,12 +130,17 @@ ChosenLines choose_lines(const PreparedScene& prepared, RunReport& run) {
   const Scene* scene = &prepared.scene;
   const Topology* topology = &prepared.topology;
   ChosenLines found;
-  const auto search = search_creases(*scene, *topology, lines, lines.studied());
-  parallel_tasks(search ? 2 : 1, [&](std::size_t task) {
+  std::function<Creases()> search;
+  const auto begin_search = [&] { search = search_creases(*scene, *topology, lines, lines.studied()); };
+  // The surfaces of several objects keep all threads busy; those of one do not.
+  const bool is_one = scene->objects.size() == 1;
+  if (!is_one) begin_search();
+  parallel_tasks(begins_with_facets(prepared) ? 2 : 1, [&](std::size_t task) {
     if (task == 1) {
       found.early = study_early(prepared);
       return;
     }
+    if (is_one) begin_search();
     Creases& creases = found.creases;
     EdgeSelection selection = select_edges(search, lines, lines.studied(), creases, run);
     decide_sheets_by_view(*scene, *topology, view.camera, creases);
