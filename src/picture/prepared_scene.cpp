@@ -18,6 +18,7 @@
 #include "picture/products.hpp"
 #include "scene/clean/check_facts.hpp"
 #include "view/tolerances.hpp"
+#include "visibility/edges/edge_visibility.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
@@ -53,7 +54,7 @@ bool begins_with_facets(const PreparedScene& prepared) {
 struct EarlyFaces {
   ProjectedScene page;  ///< without candidates
   PlacedNumbers numbers;
-  FaceStudy study;
+  std::shared_ptr<const FaceStudy> study;
 };
 
 std::optional<EarlyFaces> study_early(const PreparedScene& prepared) {
@@ -65,7 +66,7 @@ std::optional<EarlyFaces> study_early(const PreparedScene& prepared) {
   if (!page.with_intersections || chooses_regions(prepared.request, page)) return std::nullopt;
   auto numbers = place_faces(prepared.scene, prepared.topology, page);
   if (!numbers) return std::nullopt;
-  FaceStudy study = study_faces(page, &prepared.topology, lines.hidden != HiddenLines::none, true);
+  auto study = std::make_shared<FaceStudy>(study_faces(page, &prepared.topology, lines.hidden != HiddenLines::none, true));
   return EarlyFaces{std::move(page), std::move(*numbers), std::move(study)};
 }
 
@@ -101,7 +102,7 @@ SmoothContours place_with_contours(PreparedScene& prepared, const Creases& creas
       if (early) {
         prepared.faces = std::move(early->study);
       } else if (begins_with_facets(prepared)) {
-        prepared.faces = study_faces(projected, &topology, false, false);
+        prepared.faces = std::make_shared<FaceStudy>(study_faces(projected, &topology, false, false));
       }
     } else {
       replacement = replacement_of(scene, topology, projected, std::move(patch), options);

@@ -19,7 +19,6 @@
 #include "scene/patches/patch_circles.hpp"
 #include "view/cull.hpp"
 #include "view/projected_scene.hpp"
-#include "visibility/edges/edge_visibility.hpp"
 #include "visibility/method.hpp"
 
 namespace ligne {
@@ -38,7 +37,7 @@ struct PreparedScene {
   BackFaces back_faces;       ///< culled faces, which `projected` does not contain
   std::vector<Light> lights;  ///< lights of fills, hatching and shadows
   /// Facets of `projected`, and what follows from them, if an idle thread made them; otherwise the method makes them.
-  std::optional<FaceStudy> faces{};
+  std::shared_ptr<const FaceStudy> faces{};
   SmoothContours contours{};  ///< replace outlines of the mesh
   ShapeLines shape_lines{};   ///< suggestive contours, ridges, valleys, and tangent lines along fillets
   std::vector<ScanObject> scans{};

@@ -78,7 +78,7 @@ VisibilityOptions study_options(const PreparedScene& prepared, std::optional<Spa
   options.earlier = request.earlier.get();
   options.blank = request.blank.get();
   options.overlap_if_visible = overlap_if_visible(request, prepared.scene);
-  options.faces = prepared.faces ? &*prepared.faces : nullptr;
+  options.faces = prepared.faces.get();
   return options;
 }
 
