@@ -283,14 +283,6 @@ class GraphBuilder {
 
 }  // namespace
 
-bool is_narrow_triangle(const Scene& scene, const Object& object, std::uint32_t face) {
-  const auto corners = scene.faces.contour(face, 0);
-  const Point3& a = scene.vertices[corners[0]];
-  const Point3 ab = scene.vertices[corners[1]] - a, ac = scene.vertices[corners[2]] - a;
-  const double span = std::sqrt(std::max(glm::dot(ab, ab), glm::dot(ac, ac)));
-  return is_narrow(glm::length(double_area(scene, face)), span, object.precision);
-}
-
 std::vector<std::uint32_t> edges_inside_planes(const Topology& topology, const Object& object, const FacetGraph& graph,
                                                std::uint32_t edge_begin, std::uint32_t edge_end,
                                                std::span<const glm::vec3> normals) {

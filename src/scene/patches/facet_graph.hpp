@@ -70,9 +70,6 @@ struct FacetGraph {
   }
 };
 
-/// Whether a facet of a single triangle is so narrow that rounding determines its normal.
-bool is_narrow_triangle(const Scene& scene, const Object& object, std::uint32_t face);
-
 /// The edges inside facets whose faces bend by more than those that are joined by themselves: rounding turns small faces
 /// of a plane. Ascending.
 std::vector<std::uint32_t> edges_inside_planes(const Topology& topology, const Object& object, const FacetGraph& graph,

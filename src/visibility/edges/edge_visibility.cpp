@@ -94,7 +94,8 @@ VisibilityResult edge_visibility(const ProjectedScene& scene, const VisibilityOp
 
   // 1. Facets.
   std::optional<FaceStudy> made;
-  const FaceStudy& faces = options.faces ? *options.faces : made.emplace(study_faces(scene, nullptr, options.hidden_strokes, false));
+  const FaceStudy& faces =
+      options.faces ? *options.faces : made.emplace(study_faces(scene, nullptr, options.hidden_strokes, false));
   const Facets& facets = faces.facets;
   statistics.time("facets", clock.lap());
 
