@@ -94,8 +94,8 @@ VisibilityResult edge_visibility(const ProjectedScene& scene, const VisibilityOp
 
   // 1. Facets.
   std::optional<FaceStudy> made;
-  const FaceStudy& faces =
-      options.faces ? *options.faces : made.emplace(study_faces(scene, nullptr, options.hidden_strokes, false));
+  if (!options.faces) made = study_faces(scene, nullptr, options.hidden_strokes, false);
+  const FaceStudy& faces = made ? *made : *options.faces;
   const Facets& facets = faces.facets;
   statistics.time("facets", clock.lap());
 
@@ -108,15 +108,13 @@ VisibilityResult edge_visibility(const ProjectedScene& scene, const VisibilityOp
   statistics.time("grid", clock.lap());
 
   // 3. Intersections.
-  std::vector<Intersection> found;
+  std::vector<Intersection> intersections = faces.intersections;
   if (scene.with_intersections && !has_grid)
-    found = find_intersections(scene, facets.facets, grid, of_grid.margin_steps, facets.joined);
-  const std::vector<Intersection>& intersections = has_grid ? faces.intersections : found;
+    intersections = find_intersections(scene, facets.facets, grid, of_grid.margin_steps, facets.joined);
   statistics.time("intersections", clock.lap());
 
   // 4. Lines.
-  std::optional<FaceRanks> known;
-  if (ranks) known = without_thin_faces(*ranks, facets);
+  const auto known = ranks ? std::optional(without_thin_faces(*ranks, facets)) : std::nullopt;
   TestTotals totals;
   const auto search_lines = [&]() -> LineVisibility {
     if (see_through) return parts_seen_through(scene, facets, grid, coincidence_steps);
