@@ -4,6 +4,7 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
+#include <oneapi/tbb/task_group.h>
 
 #include <atomic>
 #include <chrono>
@@ -14,7 +15,8 @@
 namespace ligne {
 namespace {
 
-/// Calls work(i) for all i. Every task first checks whether the work was cancelled.
+/// Calls work(i) for all i. Every task first checks whether the work was cancelled. Throws Stopped if the caller is part of
+/// a loop that ends with an exception: then this one may not have made all calls.
 template <class Partitioner>
 void loop(std::size_t count, FunctionRef<void(std::size_t)> work, const Partitioner& partitioner) {
   // A single call wakes no other threads: in the study of a small scene they would only look for work.
@@ -27,7 +29,10 @@ void loop(std::size_t count, FunctionRef<void(std::size_t)> work, const Partitio
     const StopScope scope(stop);
     for (std::size_t i = range.begin(); i != range.end(); ++i) work(i);
   };
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), task, partitioner);
+  tbb::task_group_context context;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), task, partitioner, context);
+  // The exception of a task beside the caller cancels this loop, which then returns before its end.
+  if (context.is_group_execution_cancelled()) throw Stopped();
 }
 
 }  // namespace

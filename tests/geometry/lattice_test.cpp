@@ -206,6 +206,24 @@ TEST(Stop, LoopsInsideLoopsKnowIt) {
   EXPECT_EQ(inner, 0u);
 }
 
+/// The exception of a task ends the loops of the tasks beside it, none of which may go on with half of its results.
+TEST(Stop, LoopsBesideAnExceptionEndWithOneToo) {
+  std::atomic<int> begun = 0, cut_short = 0;
+  const auto work = [&](std::size_t task) {
+    ++begun;
+    // One thread does one task after the other.
+    for (int tries = 0; begun < 2 && tries < 1000; ++tries) std::this_thread::sleep_for(std::chrono::microseconds(100));
+    if (task == 0) throw std::runtime_error("first");
+    for (int k = 0; k < 1000; ++k) {
+      std::atomic<int> done = 0;
+      parallel_for(64, [&](std::size_t) { ++done; });
+      cut_short += done < 64;
+    }
+  };
+  for (int run = 0; run < 20; ++run, begun = 0) EXPECT_THROW(parallel_tasks(2, work), std::runtime_error);
+  EXPECT_EQ(cut_short, 0);
+}
+
 TEST(Stop, WorkThatIsToldBeforeDoesNotBeginAndSerialLoopsAsk) {
   std::atomic<bool> stop = true;
   EXPECT_THROW(run_until(stop, [] { FAIL(); }), Stopped);
