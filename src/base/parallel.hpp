@@ -34,7 +34,8 @@ class FunctionRef<Result(Arguments...)> {
   Result (*call_)(void*, Arguments...);
 };
 
-/// Calls work(i) for all i in [0, count). Consecutive indices may share a task.
+/// Calls work(i) for all i in [0, count). Consecutive indices may share a task. Throws what work() throws, and Stopped
+/// (stop.hpp) where a task beside the calling one has thrown: then some calls were not made.
 void parallel_for(std::size_t count, FunctionRef<void(std::size_t)> work);
 
 /// parallel_for() for few indices with long and uneven work: each index is a separate task.
