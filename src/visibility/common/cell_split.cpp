@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 #include "base/parallel.hpp"
@@ -78,6 +79,7 @@ bool CellGrid::Splitter::should_split(const CellFacet* list, std::size_t n, doub
 void CellGrid::Splitter::split_overfull() {
   // The number of arenas is fixed, so that the structure does not depend on the number of threads.
   constexpr std::size_t kArenas = 64;
+  static_assert(kArenas <= std::numeric_limits<decltype(Cell::arena)>::max());
   grid.arenas_.resize(kArenas + 1);
   const std::size_t n = grid.cells_.size();
   parallel_for(kArenas, [&](std::size_t k) {
