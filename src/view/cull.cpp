@@ -46,7 +46,7 @@ class Finder {
       : scene_(scene),
         topology_(topology),
         view_(view),
-        facings_(face_facings(scene, view.camera)),
+        facings_(face_facings(scene, view)),
         sets_(scene.faces.size()) {}
 
   BackFaces find() {

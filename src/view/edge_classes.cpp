@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "scene/model/flat_faces.hpp"
 #include "scene/model/planarity.hpp"
 #include "scene/model/triangle_normal.hpp"
+#include "view/clip.hpp"
 
 namespace ligne {
 namespace {
@@ -34,27 +36,54 @@ struct FaceSides {
   bool any_flat = false;
 };
 
-/// `sight`: a line of sight to the face, with the given length.
-std::int8_t facing_of(const Point3& normal, const Point3& sight, double length) {
-  const double d = glm::dot(normal, sight);
-  if (std::abs(d) <= kEdgeOnSine * length) return 0;
-  return d < 0 ? 1 : -1;
-}
+/// The sides of faces after their corners were rounded to the page.
+class PageSides {
+ public:
+  explicit PageSides(const View& view) : view_(view), lattice_(page_lattice(view)), volume_(face_volume(view, lattice_)) {}
+
+  /// The side that a face turns to the viewer: 1, -1, or 0 if its outer contour has no area. Nothing if it is clipped.
+  std::optional<int> of(const Scene& scene, std::uint32_t face) const {
+    const std::span<const std::uint32_t> contour = scene.faces.contour(face, 0);
+    LatticePoint first, last;
+    double area = 0;
+    for (std::size_t k = 0; k < contour.size(); ++k) {
+      const HomogeneousPoint p = to_homogeneous(view_, scene.vertices[contour[k]]);
+      if (!volume_.contains(p)) return {};
+      const LatticePoint next = lattice_.snap({p.x / p.w, p.y / p.w});
+      if (k == 0) first = next;
+      area += orientation(first, last, next);
+      last = next;
+    }
+    return area == 0 ? 0 : area < 0 ? 1 : -1;
+  }
+
+ private:
+  const View& view_;
+  Lattice lattice_;
+  ClipVolume volume_;
+};
 
 /// `sure`: facings of triangles that are known, or empty.
-FaceSides face_sides(const Scene& scene, const Camera& camera, bool with_normals, std::vector<std::int8_t> sure = {}) {
+FaceSides face_sides(const Scene& scene, const View& view, bool with_normals, std::vector<std::int8_t> sure = {}) {
   FaceSides sides;
+  const Camera& camera = view.camera;
   const std::size_t n = scene.faces.size();
   const bool has_sure = !sure.empty() && !with_normals;
   sides.facing = has_sure ? std::move(sure) : large_vector<std::int8_t>(n);
   if (with_normals) sides.normal = large_vector<glm::vec3>(n);
   std::atomic<bool> any_flat{false};
   const double forward_length = glm::length(camera.forward);
+  const PageSides page(view);
   const auto set = [&](std::size_t f, const Point3& normal, const Point3& on_face) {
     if (with_normals) sides.normal[f] = normal;
-    const Point3 sight = on_face - camera.eye;
-    sides.facing[f] = camera.perspective ? facing_of(normal, sight, glm::length(sight))
-                                         : facing_of(normal, camera.forward, forward_length);
+    const Point3 sight = camera.perspective ? on_face - camera.eye : camera.forward;
+    const double length = camera.perspective ? glm::length(sight) : forward_length;
+    const double d = glm::dot(normal, sight);
+    int facing = std::abs(d) <= kEdgeOnSine * length ? 0 : d < 0 ? 1 : -1;
+    if (facing != 0 && std::abs(d) <= kNearlyEdgeOnSine * length) {
+      if (page.of(scene, static_cast<std::uint32_t>(f)).value_or(facing) != facing) facing = 0;
+    }
+    sides.facing[f] = static_cast<std::int8_t>(facing);
     if (normal != Point3{0, 0, 0}) return;
     sides.facing[f] = kFlat;
     any_flat.store(true, std::memory_order_relaxed);
@@ -205,16 +234,15 @@ class EdgeClassifier {
 
 }  // namespace
 
-std::vector<std::int8_t> face_facings(const Scene& scene, const Camera& camera) {
-  FaceSides sides = face_sides(scene, camera, false);
+std::vector<std::int8_t> face_facings(const Scene& scene, const View& view) {
+  FaceSides sides = face_sides(scene, view, false);
   if (sides.any_flat) std::ranges::replace(sides.facing, kFlat, std::int8_t{0});
   return std::move(sides.facing);
 }
 
-std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topology, const Camera& camera,
-                                      double crease_degrees, const std::vector<std::uint8_t>* creases,
-                                      std::vector<std::int8_t> sure) {
-  FaceSides sides = face_sides(scene, camera, creases == nullptr, std::move(sure));
+std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topology, const View& view, double crease_degrees,
+                                      const std::vector<std::uint8_t>* creases, std::vector<std::int8_t> sure) {
+  FaceSides sides = face_sides(scene, view, creases == nullptr, std::move(sure));
   mend_flat_faces(scene, topology, sides);
   const EdgeClassifier classify(topology, sides, crease_degrees, creases);
   std::vector<LineClass> classes(topology.edges.size());

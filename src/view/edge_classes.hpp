@@ -15,8 +15,12 @@ namespace ligne {
 /// high as an A4 sheet (297 mm) would then be at most 1 micrometre wide on the page.
 inline constexpr double kEdgeOnSine = 0.001 / 297;
 
+/// Sine of that angle below which the corners of a face, rounded to the page, may turn the other way than its normal tells.
+/// Such a face is seen edge on. The bound is that of faces 0.008 mm high on A4, which rounding makes a lattice step wider.
+inline constexpr double kNearlyEdgeOnSine = 0x1p-10;
+
 /// Per face: +1 if it faces the viewer, -1 if it faces away, 0 if it is seen edge on.
-std::vector<std::int8_t> face_facings(const Scene& scene, const Camera& camera);
+std::vector<std::int8_t> face_facings(const Scene& scene, const View& view);
 
 /// The class of every edge of the topology: the first of these that applies.
 /// - intersection, contour, horizon: surfaces penetrate each other along the edge; it is part of a contour line; of an
@@ -32,8 +36,8 @@ std::vector<std::int8_t> face_facings(const Scene& scene, const Camera& camera);
 /// of its neighbour across its longest edge. If `creases` is given (per edge kCreaseLine, kTangentLine, kFoldLine or 0, see
 /// scene/creases/crease_lines.hpp), it decides on creases and tangent lines instead of the angle and the number of
 /// faces. `sure`: sure_facings() (edge_on.hpp), or empty.
-std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topology, const Camera& camera,
-                                      double crease_degrees, const std::vector<std::uint8_t>* creases = nullptr,
+std::vector<LineClass> classify_edges(const Scene& scene, const Topology& topology, const View& view, double crease_degrees,
+                                      const std::vector<std::uint8_t>* creases = nullptr,
                                       std::vector<std::int8_t> sure = {});
 
 }  // namespace ligne

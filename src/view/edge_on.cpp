@@ -23,9 +23,9 @@ constexpr double kViewRounding = 0x1p-50;
 constexpr double kMixedProductRounding = 0x1p-50;
 
 /// Cosine of the angle between the normal of a triangle and a line of sight, in float32, from which on it tells where the
-/// triangle faces. It exceeds kEdgeOnSine and the rounding of the cosine.
-constexpr float kSurelyFacing = 0x1p-16F;
-static_assert(kSurelyFacing > 4 * kEdgeOnSine);
+/// triangle faces. It exceeds kNearlyEdgeOnSine and the rounding of the cosine.
+constexpr float kSurelyFacing = 0x1p-9F;
+static_assert(kSurelyFacing > kNearlyEdgeOnSine);
 
 /// Larger than all TriangleShapes::heights, which stay a factor of 10^8 below it, and still a float32. A bound that
 /// underflows instead needs no limit: heights above kOwnNormalHeight at cosines above kSurelyFacing exceed it anyway.

@@ -152,7 +152,7 @@ class Clipper {
 void select_edges(const Scene& scene, const Topology& topology, const EdgeSelection& selection,
                   std::vector<std::int8_t> sure, ProjectedScene& out) {
   const std::vector<LineClass> classes =
-      classify_edges(scene, topology, out.view.camera, selection.crease_degrees, selection.creases, std::move(sure));
+      classify_edges(scene, topology, out.view, selection.crease_degrees, selection.creases, std::move(sure));
   const std::vector<std::uint32_t> selected =
       indices_where(classes.size(), [&](std::size_t e) { return selection.classes.has(classes[e]); });
   out.edges = large_vector<ProjectedEdge>(selected.size());

@@ -183,7 +183,9 @@ struct Misses {
 };
 
 Misses measure(const FoundPatches& found, const Camera& camera, bool with_surfaces) {
-  const std::vector<LineClass> classes = classify_edges(found.scene, found.topology, camera, 30);
+  View view;
+  view.camera = camera;
+  const std::vector<LineClass> classes = classify_edges(found.scene, found.topology, view, 30);
   std::vector<std::uint32_t> outlines;
   for (std::uint32_t e = 0; e < classes.size(); ++e)
     if (classes[e] == LineClass::outline) outlines.push_back(e);
