@@ -16,7 +16,7 @@ constexpr double kLineReachInPens = 0.5;                        ///< ink of a li
 constexpr double kShownInPens = 0.5;                            ///< least length that shows outside of other ink: taste
 constexpr double kMeetingInPens = 1;                            ///< lines this near to each other touch
 constexpr double kTouchingInPens = 1.0 / 16;                    ///< an end this near lies on a line; allows for rounding
-constexpr double kUndershootInGaps = 3;                         ///< longest extension of an end: taste
+constexpr double kUndershootInGaps = 6;                         ///< longest extension of an end: taste
 constexpr double kOvershootInPens = 12;                         ///< longest end behind a crossing that is cut: taste
 constexpr double kDangleInPens = 12, kDanglePart = 1.0 / 32;    ///< longest dangle, also as part of its body: taste
 constexpr double kBesideInPens = 2.5, kBesideInDangles = 4;     ///< arcs beside a line, largest distance and size: taste

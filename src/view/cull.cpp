@@ -43,11 +43,7 @@ double reach_of_near_plane(const View& view) {
 class Finder {
  public:
   Finder(const Scene& scene, const Topology& topology, const View& view)
-      : scene_(scene),
-        topology_(topology),
-        view_(view),
-        facings_(face_facings(scene, view)),
-        sets_(scene.faces.size()) {}
+      : scene_(scene), topology_(topology), view_(view), facings_(face_facings(scene, view)), sets_(scene.faces.size()) {}
 
   BackFaces find() {
     BackFaces result;

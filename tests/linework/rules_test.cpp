@@ -93,7 +93,7 @@ const Change close = applying(
     50);
 
 const Change lead_on = applying(
-    1, [](LineMap& map) { return extend_undershoots(map, {.longest_mm = 20, .touching_mm = 1}, no_source); }, 1);
+    1, [](LineMap& map) { return extend_undershoots(map, {.longest_mm = 40, .touching_mm = 1}, no_source); }, 1);
 
 /// Every source runs from x = 0 to x = 100, so that what is shorter was cut off by visibility.
 Change dropping_bits(double least_mm) {

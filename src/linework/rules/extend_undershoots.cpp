@@ -20,7 +20,11 @@ namespace {
 /// Smallest ratio of the length of a line to its extension. Taste.
 constexpr double kLongInWays = 3;
 /// Longest last part of a line that gives its direction, in reaches. Taste.
-constexpr double kDirectionInReaches = 0.5;
+constexpr double kDirectionInReaches = 0.25;
+/// Part of the reach within which an end meets lines at any angle. Beyond, it meets lines at the largest turn or more:
+/// nearly parallel ones lie beside it, and not before it. Tangent edges, which may end short of a line, reach no farther.
+/// Taste.
+constexpr double kNearPart = 0.5;
 /// Sine and cosine of the largest turn of a line that meets no line straight ahead: 20 degrees. Taste.
 constexpr double kTurnSine = 0.342, kTurnCosine = 0.94;
 
@@ -29,6 +33,8 @@ Point2 between(LatticePoint from, LatticePoint to) { return {double(to.x) - from
 /// A free end and the possible extensions of its line.
 struct Undershoot {
   Point2 ahead;            ///< direction; its length is the longest extension
+  double near = 1;         ///< longest extension that meets a line at a flat angle, in parts of `ahead`
+  bool turns_far = true;   ///< whether longer ones may turn
   double straight = 2;     ///< length of the straight extension, in parts of `ahead`; above 1: it meets no line
   Point2 turned{0, 0};     ///< extension to the nearest point of a line in the wedge ahead
   double turned_part = 2;  ///< its length in parts of `ahead`; above 1: there is none
@@ -49,7 +55,9 @@ void turn_to(Undershoot& end, Point2 start, Point2 u) {
   const double at = square > 0 ? std::clamp(-glm::dot(start, u) / square, in_wedge.from, in_wedge.to) : in_wedge.from;
   const Point2 turned = start + at * u;
   const double part = glm::length(turned) / glm::length(d);
-  if (part < end.turned_part) end.turned = turned, end.turned_part = part;
+  const bool is_steep = std::abs(cross(turned, u)) >= kTurnSine * glm::length(turned) * glm::length(u);
+  if (part <= (is_steep && end.turns_far ? 1 : end.near) && part < end.turned_part)
+    end.turned = turned, end.turned_part = part;
 }
 
 /// Updates both extensions of the line that ends at `p` with the stroke.
@@ -58,7 +66,9 @@ void lead_to(Undershoot& end, LatticePoint p, const Stroke& s) {
   const double area = cross(end.ahead, u);
   if (area != 0) {
     const double extension = cross(start, u) / area, along = cross(start, end.ahead) / area;
-    if (extension > 0 && extension <= 1 && along >= 0 && along <= 1) end.straight = std::min(end.straight, extension);
+    const bool is_steep = std::abs(area) >= kTurnSine * glm::length(end.ahead) * glm::length(u);
+    if (extension > 0 && extension <= (is_steep ? 1 : end.near) && along >= 0 && along <= 1)
+      end.straight = std::min(end.straight, extension);
   }
   turn_to(end, start, u);
 }
@@ -76,7 +86,10 @@ class UndershootFinder {
     const std::uint32_t piece = end / 2;
     if (!arcs_.has(piece) || !is_feature(map_.piece(piece)) || arcs_.degree(arcs_.junction_of(end)) != 1) return {};
     const Arcs::Arc own = arcs_.from(end);
-    Undershoot shoot{.ahead = std::min(reach_, own.length / kLongInWays) * direction(end)};
+    const double longest = std::min(reach_, own.length / kLongInWays);
+    Undershoot shoot{.ahead = longest * direction(end),
+                     .near = std::min(1.0, kNearPart * reach_ / longest),
+                     .turns_far = map_.piece(piece).line_class != LineClass::tangent};
     const LatticePoint p = map_.point(end);
     map_.near(p, moved(p, shoot.ahead), touching_ + kTurnSine * reach_, [&](std::uint32_t other) {
       const bool leads = arcs_.has(other) && is_feature(map_.piece(other)) && !std::ranges::binary_search(own.pieces, other);
