@@ -1,26 +1,26 @@
 // Order of work: the document is opened and checked; the node tree gives the instances of meshes. A first pass over
 // them opens their accessors and counts, so that the size of the scene is known, and can be refused, before memory is
-// allocated. A second pass converts positions and indices straight into the scene.
+// allocated, and each instance gets its place in it. A second pass converts positions and indices straight into the scene,
+// several instances at a time.
 
 #include "scene/readers/format_readers.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <utility>
 
-#include <glm/geometric.hpp>
-
+#include "base/large_vector.hpp"
 #include "base/no_index.hpp"
-#include "scene/readers/gltf/gltf_accessor.hpp"
-#include "scene/readers/gltf/gltf_deform.hpp"
+#include "base/parallel.hpp"
 #include "scene/readers/gltf/gltf_document.hpp"
-#include "scene/readers/gltf/gltf_draco.hpp"
 #include "scene/readers/gltf/gltf_extensions.hpp"
+#include "scene/readers/gltf/gltf_looks.hpp"
 #include "scene/readers/gltf/gltf_nodes.hpp"
+#include "scene/readers/gltf/gltf_primitive.hpp"
 
 namespace ligne {
 namespace {
@@ -35,28 +35,6 @@ constexpr std::size_t kMaxInstanced = std::size_t{1} << 25;
 constexpr int kFloatDigits = std::numeric_limits<float>::digits;
 /// Number of roundings of a coordinate in a 4 x 4 transform: products and sums, once per level of a shallow node tree.
 constexpr double kTransformRoundings = 4;
-/// Smallest opacity of materials with transmission: even if it transmits all light, its lines belong to an object.
-constexpr double kTransmissionOpacity = 0.1;
-
-/// A primitive whose data were checked to exist.
-struct Primitive {
-  std::size_t position_accessor = 0;
-  GltfAccessor positions;               ///< unused with Draco
-  std::optional<GltfAccessor> indices;  ///< without: the positions in order
-  std::optional<GltfAccessor> normals;  ///< one per position, if requested
-  const DracoMesh* draco = nullptr;
-  GltfDeformation deformation;
-  int mode = TINYGLTF_MODE_TRIANGLES;
-  int material = -1;
-
-  std::size_t vertex_count() const { return draco ? draco->positions.size() : positions.count(); }
-  std::size_t corner_count() const { return draco ? draco->corners.size() : indices ? indices->count() : positions.count(); }
-  std::size_t triangle_count() const {
-    const std::size_t n = corner_count();
-    if (draco || mode == TINYGLTF_MODE_TRIANGLES) return n / 3;
-    return n < 3 ? 0 : n - 2;
-  }
-};
 
 class Reader {
  public:
@@ -72,12 +50,12 @@ class Reader {
     count(instances);
     scene_.up_axis = Axis::y;
     scene_.unit_mm = kMetreMm;
-    scene_.objects.reserve(instances.size());
-    scene_.vertices.reserve(vertices_);
-    scene_.faces.reserve_corners(3 * triangles_);
-    for (const GltfInstance& instance : instances) add_object(instance);
+    place_objects(instances);
+    read_objects(instances);
     write_materials();
-    for (const GltfCamera& camera : nodes_.cameras) add_camera(camera);
+    for (const GltfCamera& camera : nodes_.cameras) {
+      if (auto found = scene_camera(model_, camera, scene_.cameras.size() + 1)) scene_.cameras.push_back(*std::move(found));
+    }
     for (const auto& [what, n] : document_.left_out.counts()) warnings_.leave_out(what, n);
     report.faces = report.triangles = triangles_;
     report.vertices = vertices_;
@@ -85,37 +63,15 @@ class Reader {
   }
 
  private:
-  /// Adds a camera, which looks along -z of its node with y up. A camera with meaningless numbers is left out; one
-  /// without a name is named by its number, so that it can be selected.
-  void add_camera(const GltfCamera& from) {
-    const tinygltf::Camera& camera = model_.cameras[from.camera];
-    const tinygltf::Node& node = model_.nodes[from.node];
-    const auto axis = [&](int k) { return Point3(from.to_world[k][0], from.to_world[k][1], from.to_world[k][2]); };
-    SceneCamera to;
-    to.name = !node.name.empty() ? node.name : camera.name;
-    if (to.name.empty()) to.name = std::to_string(scene_.cameras.size() + 1);
-    to.eye = axis(3);
-    to.forward = -axis(2);
-    to.up = axis(1);
-    to.perspective = camera.type != "orthographic";
-    if (to.perspective) {
-      to.fov_degrees = camera.perspective.yfov * 180 / std::numbers::pi;
-      if (camera.perspective.aspectRatio > 0) to.aspect = camera.perspective.aspectRatio;
-    }
-    const double size = glm::length(to.eye) + glm::length(to.forward) + glm::length(*to.up);
-    const bool looks = std::isfinite(size) && glm::length(glm::cross(to.forward, *to.up)) > 0;
-    if (looks && to.fov_degrees > 0 && to.fov_degrees < 180) scene_.cameras.push_back(std::move(to));
-  }
-
   // ---- first pass
 
   void count(const std::vector<GltfInstance>& instances) {
     for (const GltfInstance& instance : instances) {
       const auto& primitives = open_mesh(instance.mesh);
       std::size_t last_positions = kNone;
-      for (const Primitive& p : primitives) {
+      for (const GltfPrimitive& p : primitives) {
         triangles_ += p.triangle_count();
-        if (has_own_vertices(p, last_positions)) vertices_ += p.vertex_count();
+        if (p.has_own_vertices(last_positions)) vertices_ += p.vertex_count();
       }
       primitives_ += primitives.size();
       const std::size_t limit = std::max(kMaxInstanced, document_.bytes_read());
@@ -127,16 +83,7 @@ class Reader {
     if (vertices_ >= kNone || triangles_ >= kNone / 3) document_.fail("scene", "too many vertices or triangles");
   }
 
-  /// Whether a primitive has its own vertices. Consecutive primitives often share their positions: `last_positions` is
-  /// the previous accessor, kNone at first.
-  static bool has_own_vertices(const Primitive& p, std::size_t& last_positions) {
-    const bool alone = p.draco || p.deformation.any();
-    const bool own = alone || p.position_accessor != last_positions;
-    last_positions = alone ? kNone : p.position_accessor;
-    return own;
-  }
-
-  const std::vector<Primitive>& open_mesh(std::size_t mesh) {
+  const std::vector<GltfPrimitive>& open_mesh(std::size_t mesh) {
     if (!meshes_[mesh]) {
       meshes_[mesh].emplace();
       for (const tinygltf::Primitive& from : model_.meshes[mesh].primitives) {
@@ -152,8 +99,8 @@ class Reader {
     return *meshes_[mesh];
   }
 
-  Primitive open_primitive(const tinygltf::Primitive& from) {
-    Primitive p;
+  GltfPrimitive open_primitive(const tinygltf::Primitive& from) {
+    GltfPrimitive p;
     p.mode = from.mode;
     p.material = from.material;
     p.position_accessor = static_cast<std::size_t>(from.attributes.at("POSITION"));
@@ -203,34 +150,83 @@ class Reader {
 
   // ---- second pass
 
-  void add_object(const GltfInstance& instance) {
+  /// Adds the objects with the places of their vertices and faces.
+  void place_objects(const std::vector<GltfInstance>& instances) {
+    scene_.objects.resize(instances.size());
+    std::size_t vertices = 0, faces = 0;
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+      const auto& [node, mesh, to_world] = instances[i];
+      Object& object = scene_.objects[i];
+      object.name = model_.nodes[node].name.empty() ? model_.meshes[mesh].name : model_.nodes[node].name;
+      object.vertex_begin = static_cast<std::uint32_t>(vertices);
+      object.face_begin = static_cast<std::uint32_t>(faces);
+      std::size_t last_positions = kNone;
+      for (const GltfPrimitive& p : *meshes_[mesh]) {
+        if (p.has_own_vertices(last_positions)) vertices += p.vertex_count();
+        faces += p.triangle_count();
+        materials_.emplace_back(p.material, p.triangle_count());
+        some_normals_ = some_normals_ || p.has_normals(to_world);
+      }
+      object.vertex_end = static_cast<std::uint32_t>(vertices);
+      object.face_end = static_cast<std::uint32_t>(faces);
+    }
+  }
+
+  /// Reads the vertices and faces of all objects in parallel, but objects with skins or morph targets one by one, since
+  /// their data are decompressed on first use. Throws the error of the first object that has one.
+  void read_objects(const std::vector<GltfInstance>& instances) {
+    // Getting the memory takes as long as filling it.
+    parallel_tasks(3, [&](std::size_t task) {
+      if (task == 0) scene_.vertices = large_vector<Point3>(vertices_);
+      if (task == 1) scene_.faces.append_triangles(large_vector<std::uint32_t>(3 * triangles_));
+      if (task == 2 && some_normals_) shading_->corner_normals = large_vector<std::uint32_t>(3 * triangles_);
+    });
+    const auto is_plain = [&](const GltfInstance& instance) {
+      return model_.nodes[instance.node].skin < 0 &&
+             std::ranges::none_of(*meshes_[instance.mesh], [](const GltfPrimitive& p) { return p.deformation.any(); });
+    };
+    std::vector<std::exception_ptr> errors(instances.size());
+    const auto read = [&](std::size_t i) {
+      try {
+        read_object(instances[i], scene_.objects[i]);
+      } catch (const InputError&) {
+        errors[i] = std::current_exception();
+      }
+    };
+    parallel_tasks(instances.size(), [&](std::size_t i) {
+      if (is_plain(instances[i])) read(i);
+    });
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+      if (!is_plain(instances[i])) read(i);
+    }
+    for (const std::exception_ptr& error : errors) {
+      if (error) std::rethrow_exception(error);
+    }
+  }
+
+  void read_object(const GltfInstance& instance, Object& object) {
     const glm::dmat4& m = instance.to_world;
     const std::vector<glm::dmat4>& joints = joints_of(instance);
     const bool mirrored = glm::determinant(glm::dmat3(joints.empty() ? m : joints[0])) < 0;
-    Object object;
-    object.name = model_.nodes[instance.node].name;
-    if (object.name.empty()) object.name = model_.meshes[instance.mesh].name;
-    object.vertex_begin = static_cast<std::uint32_t>(scene_.vertices.size());
-    object.face_begin = static_cast<std::uint32_t>(scene_.faces.size());
     double largest_float = 0;
-    std::size_t last_positions = kNone;
-    std::uint32_t first_vertex = 0;
-    for (const Primitive& p : *meshes_[instance.mesh]) {
+    std::size_t last_positions = kNone, corner = 3 * std::size_t{object.face_begin};
+    std::uint32_t first_vertex = object.vertex_begin, next_vertex = first_vertex;
+    for (const GltfPrimitive& p : *meshes_[instance.mesh]) {
       std::optional<GltfDeformer> deformer;
       if (p.deformation.any()) deformer.emplace(document_, p.deformation, weights_of(instance), joints, m);
-      if (has_own_vertices(p, last_positions)) {
-        first_vertex = static_cast<std::uint32_t>(scene_.vertices.size());
-        const double largest = add_positions(p, m, deformer);
+      if (p.has_own_vertices(last_positions)) {
+        first_vertex = next_vertex;
+        next_vertex += static_cast<std::uint32_t>(p.vertex_count());
+        const double largest =
+            read_vertices(p, m, deformer, std::span(scene_.vertices).subspan(first_vertex, p.vertex_count()));
         if (p.draco || p.positions.is_float()) largest_float = std::max(largest_float, largest);
       }
-      add_triangles(p, first_vertex, mirrored);
-      if (shading_) add_normals(p, first_vertex, m, deformer);
-      materials_.emplace_back(p.material, p.triangle_count());
+      const std::size_t corners = 3 * p.triangle_count();
+      read_triangles(p, first_vertex, mirrored, scene_.faces.corners().subspan(corner, corners));
+      if (shading_ && p.has_normals(m)) read_normals(p, first_vertex, corner, m, deformer);
+      corner += corners;
     }
-    object.vertex_end = static_cast<std::uint32_t>(scene_.vertices.size());
-    object.face_end = static_cast<std::uint32_t>(scene_.faces.size());
     object.precision = precision(object, m, joints, largest_float);
-    scene_.objects.push_back(std::move(object));
   }
 
   /// Joint matrices of the node's skin; empty without one.
@@ -249,11 +245,10 @@ class Reader {
     return own.empty() ? model_.meshes[instance.mesh].weights : own;
   }
 
-  double add_positions(const Primitive& p, const glm::dmat4& to_world, std::optional<GltfDeformer>& deformer) {
+  /// Writes the vertices. Returns the largest coordinate before the transform.
+  double read_vertices(const GltfPrimitive& p, const glm::dmat4& to_world, std::optional<GltfDeformer>& deformer,
+                       std::span<Point3> out) {
     const glm::dmat4 m = deformer ? glm::dmat4(1) : to_world;
-    const std::size_t first = scene_.vertices.size();
-    scene_.vertices.resize(first + p.vertex_count());
-    const auto out = std::span(scene_.vertices).subspan(first);
     double largest = 0;
     if (p.draco) {
       std::transform(p.draco->positions.begin(), p.draco->positions.end(), out.begin(),
@@ -265,9 +260,8 @@ class Reader {
     return deformer ? deformer->move_positions(out) : largest;
   }
 
-  void add_triangles(const Primitive& p, std::uint32_t first_vertex, bool mirrored) {
+  void read_triangles(const GltfPrimitive& p, std::uint32_t first_vertex, bool mirrored, std::span<std::uint32_t> corners) {
     const std::size_t n = p.triangle_count();
-    const std::span<std::uint32_t> corners = scene_.faces.append_triangles(n);
     if (p.draco || p.mode == TINYGLTF_MODE_TRIANGLES) {
       write_corners(p, first_vertex, corners);
     } else {
@@ -286,31 +280,27 @@ class Reader {
     for (std::size_t i = 0; i < n; ++i) std::swap(corners[3 * i + 1], corners[3 * i + 2]);
   }
 
-  /// Adds the normals of the triangles added last, transformed by the transposed inverse matrix. The list stays empty until
-  /// the first triangles with normals.
-  void add_normals(const Primitive& p, std::uint32_t first_vertex, const glm::dmat4& m,
-                   std::optional<GltfDeformer>& deformer) {
-    auto& out = shading_->corner_normals;
-    const auto corners = std::as_const(scene_.faces).corners();
-    const glm::dmat3 linear(m);
-    if (!p.normals || (!deformer && glm::determinant(linear) == 0)) {
-      if (!out.empty()) out.resize(corners.size(), 0);
-      return;
-    }
-    out.resize(corners.size() - 3 * p.triangle_count(), 0);
+  /// Reads the normals of the triangles from a corner on, transformed by the transposed inverse matrix.
+  void read_normals(const GltfPrimitive& p, std::uint32_t first_vertex, std::size_t corner, const glm::dmat4& m,
+                    std::optional<GltfDeformer>& deformer) {
     std::vector<Point3> normals(p.normals->count(), Point3(0));
     try {
-      const glm::dmat4 turn = deformer ? glm::dmat4(1) : glm::dmat4(glm::transpose(glm::inverse(linear)));
+      const glm::dmat4 turn = deformer ? glm::dmat4(1) : glm::dmat4(glm::transpose(glm::inverse(glm::dmat3(m))));
       read_positions(document_, *p.normals, turn, normals);
       if (deformer) deformer->turn_normals(normals);
     } catch (const InputError&) {  // a normal is not finite: the ones before it stay
     }
     std::vector<std::uint32_t> packed(normals.size());
-    std::transform(normals.begin(), normals.end(), packed.begin(), packed_direction);
-    for (std::size_t k = out.size(); k < corners.size(); ++k) out.push_back(packed[corners[k] - first_vertex]);
+    parallel_blocks(normals.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) packed[i] = packed_direction(normals[i]);
+    });
+    const auto corners = std::as_const(scene_.faces).corners();
+    for (const std::size_t end = corner + 3 * p.triangle_count(); corner < end; ++corner) {
+      shading_->corner_normals[corner] = packed[corners[corner] - first_vertex];
+    }
   }
 
-  void write_corners(const Primitive& p, std::uint32_t first_vertex, std::span<std::uint32_t> out) const {
+  void write_corners(const GltfPrimitive& p, std::uint32_t first_vertex, std::span<std::uint32_t> out) const {
     if (p.draco) {
       std::transform(p.draco->corners.begin(), p.draco->corners.end(), out.begin(),
                      [&](std::uint32_t v) { return first_vertex + v; });
@@ -339,19 +329,7 @@ class Reader {
   }
 
   void write_materials() {
-    for (const tinygltf::Material& from : model_.materials) {
-      Material material;
-      material.name = from.name;
-      const std::vector<double>& c = from.pbrMetallicRoughness.baseColorFactor;
-      material.color = glm::clamp(Point3(c[0], c[1], c[2]), 0.0, 1.0);
-      // Only BLEND makes a face transparent: OPAQUE ignores the alpha value, MASK compares it (section 3.9.4).
-      if (from.alphaMode == "BLEND") material.opacity = std::clamp(c[3], 0.0, 1.0);
-      if (const auto transmission = from.extensions.find(kTransmissionExtension); transmission != from.extensions.end()) {
-        const double through = transmission->second.Get("transmissionFactor").GetNumberAsDouble();
-        material.opacity = std::min(material.opacity, std::max(1 - through, kTransmissionOpacity));
-      }
-      scene_.materials.push_back(std::move(material));
-    }
+    for (const tinygltf::Material& from : model_.materials) scene_.materials.push_back(scene_material(from));
     const auto number_of = [&](int material) {
       return static_cast<std::uint32_t>(material >= 0 ? static_cast<std::size_t>(material) : model_.materials.size());
     };
@@ -375,10 +353,11 @@ class Reader {
   Scene scene_;
   GltfNodes nodes_;
   std::vector<std::vector<glm::dmat4>> joints_;  ///< by skin; empty until requested
-  std::vector<std::optional<std::vector<Primitive>>> meshes_;
+  std::vector<std::optional<std::vector<GltfPrimitive>>> meshes_;
   std::map<std::pair<int, int>, DracoMesh> draco_;      ///< by bufferView and id of the positions
   std::vector<std::pair<int, std::size_t>> materials_;  ///< material (-1: none) and number of faces, in order
   std::size_t vertices_ = 0, triangles_ = 0, primitives_ = 0;
+  bool some_normals_ = false;  ///< whether any triangle has normals
 };
 
 }  // namespace
