@@ -26,16 +26,31 @@ namespace {
 /// calls on a surface. Adjustable.
 constexpr std::size_t kChunkPoints = 2048, kCallPoints = 16;
 
-/// Appends text_of(first, last) for all of [0, count), in chunks computed in parallel. `skip` moves an index past the
-/// items that must stay together, and returns their number of points.
-template <typename Skip, typename TextOf>
-void append_chunks(std::string& svg, std::size_t count, Skip skip, TextOf text_of) {
-  std::vector<std::size_t> ends{0};
-  for (std::size_t i = 0; i < count; ends.push_back(i)) {
+/// Items [first, last) of a layer.
+struct Chunk {
+  std::size_t layer, first, last;
+};
+
+/// Divides [0, count) into chunks. `skip` moves an index past the items that must stay together, and returns their number of
+/// points.
+template <typename Skip>
+void add_chunks(std::vector<Chunk>& chunks, std::size_t layer, std::size_t count, Skip skip) {
+  for (std::size_t i = 0; i < count;) {
+    const std::size_t first = i;
     for (std::size_t points = 0; i < count && points < kChunkPoints;) points += skip(i);
+    chunks.push_back({layer, first, i});
   }
-  std::vector<std::string> texts(ends.size() - 1);
-  parallel_for(texts.size(), [&](std::size_t i) { texts[i] = text_of(ends[i], ends[i + 1]); });
+}
+
+/// The texts of chunks, computed in parallel.
+template <typename TextOf>
+std::vector<std::string> texts_of(const std::vector<Chunk>& chunks, TextOf text_of) {
+  std::vector<std::string> texts(chunks.size());
+  parallel_tasks(chunks.size(), [&](std::size_t i) { texts[i] = text_of(chunks[i]); });
+  return texts;
+}
+
+void append_texts(std::string& svg, std::span<const std::string> texts) {
   std::size_t size = svg.size();
   for (const std::string& text : texts) size += text.size();
   svg.reserve(size);
@@ -63,11 +78,8 @@ std::string lines_text(const Polylines& lines, std::size_t first, std::size_t la
       style.width_mm);
 }
 
-void append_lines(std::string& svg, const Polylines& lines, const LineStyle& style, const std::optional<CurveLimits>& curves,
-                  const SvgCanvas& canvas) {
-  append_chunks(
-      svg, lines.size(), [&](std::size_t& i) { return lines[i++].size(); },
-      [&](std::size_t first, std::size_t last) { return lines_text(lines, first, last, style, curves, canvas); });
+void add_line_chunks(std::vector<Chunk>& chunks, std::size_t layer, const Polylines& lines) {
+  add_chunks(chunks, layer, lines.size(), [&](std::size_t& i) { return lines[i++].size(); });
 }
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80; }
@@ -96,11 +108,14 @@ void append_fills(std::string& svg, const std::vector<Fill>& fills, const SvgCan
     }
     return points;
   };
-  append_chunks(svg, fills.size(), skip_area, [&](std::size_t first, std::size_t last) {
-    const auto at = [&](std::size_t i) { return fills.begin() + static_cast<std::ptrdiff_t>(i); };
-    const std::vector<Fill> chunk{at(first), at(last)};
-    return canvas.paths([&](cairo_t* cairo, double units_per_mm) { paint_fills(cairo, chunk, units_per_mm); }, kFillRimMm);
-  });
+  std::vector<Chunk> chunks;
+  add_chunks(chunks, 0, fills.size(), skip_area);
+  append_texts(svg, texts_of(chunks, [&](const Chunk& chunk) {
+                 const auto at = [&](std::size_t i) { return fills.begin() + static_cast<std::ptrdiff_t>(i); };
+                 const std::vector<Fill> part{at(chunk.first), at(chunk.last)};
+                 return canvas.paths([&](cairo_t* cairo, double units_per_mm) { paint_fills(cairo, part, units_per_mm); },
+                                     kFillRimMm);
+               }));
   svg += "</g>\n";
 }
 
@@ -171,8 +186,13 @@ std::string text_layer(std::span<const TextItem> items) {
 }  // namespace
 
 std::string svg_paths(const Polylines& lines) {
+  const SvgCanvas canvas(std::max(1.0, largest_coordinate(lines.points)));
+  std::vector<Chunk> chunks;
+  add_line_chunks(chunks, 0, lines);
   std::string paths;
-  append_lines(paths, lines, {}, {}, SvgCanvas(std::max(1.0, largest_coordinate(lines.points))));
+  append_texts(paths, texts_of(chunks, [&](const Chunk& chunk) {
+                 return lines_text(lines, chunk.first, chunk.last, {}, {}, canvas);
+               }));
   return paths;
 }
 
@@ -188,8 +208,15 @@ std::string write_svg(const Drawing& drawing, const PlotOptions& options, const 
   const SvgCanvas canvas(largest_coordinate(drawing, options.page));
   if (under && !under->empty()) svg += group_start("shade") + ">\n" + canvas.image(*under) + "</g>\n";
   append_fills(svg, drawing.fills, canvas);
+  // The chunks of all layers at once, since most layers have few.
+  std::vector<Chunk> chunks;
+  for (std::size_t l = 0; l < drawing.layers.size(); ++l) add_line_chunks(chunks, l, drawing.layers[l].lines);
+  const std::vector<std::string> texts = texts_of(chunks, [&](const Chunk& chunk) {
+    const Layer& layer = drawing.layers[chunk.layer];
+    return lines_text(layer.lines, chunk.first, chunk.last, options.style_of(layer), options.curves_of(layer), canvas);
+  });
   ObjectIds ids(drawing);
-  for (std::size_t l = 0; l < drawing.layers.size(); ++l) {
+  for (std::size_t l = 0, chunk = 0; l < drawing.layers.size(); ++l) {
     const Layer& layer = drawing.layers[l];
     const auto is_part = [](const Layer& of) { return !of.object.empty() || of.color || of.width_mm; };
     const auto continues = [&](std::size_t a, std::size_t b) {
@@ -203,7 +230,9 @@ std::string write_svg(const Drawing& drawing, const PlotOptions& options, const 
     const LineStyle style = options.style_of(layer);
     if (begins) svg += layer_start(layer, alone ? style : options.style_of(layer.name));
     if (is_part(layer) && !alone) svg += part_start(layer, style, ids);
-    append_lines(svg, layer.lines, style, options.curves_of(layer), canvas);
+    const std::size_t first_chunk = chunk;
+    while (chunk < chunks.size() && chunks[chunk].layer == l) ++chunk;
+    append_texts(svg, std::span(texts).subspan(first_chunk, chunk - first_chunk));
     if (is_part(layer) && !alone) svg += "</g>\n";
     if (ends) svg += "</g>\n";
   }
