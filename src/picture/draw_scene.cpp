@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "picture/clear/refined_picture.hpp"
 #include "picture/hatching/hatching.hpp"
 #include "picture/hatching/painted_faces.hpp"
@@ -41,7 +42,16 @@ DrawnScene draw_lines(const Scene& scene, PictureRequest request, RunReport& run
   parts.hatching = hatch_spans(hatch, run);
   parts.has_edges = keep_edges || looks_at_edges(prepared.request);
   found = compute_visibility(prepared, painted_lines(prepared.request, prepared.method, plot), parts.has_edges, run);
-  finish_lines(found, prepared, run);
+  const bool asks_for_ellipses =
+      plot.curves && !prepared.circles.empty() && prepared.request.output.format != OutputFormat::json;
+  // The rules that finish lines leave threads idle.
+  parallel_tasks(asks_for_ellipses ? 2 : 1, [&](std::size_t task) {
+    if (task == 0) {
+      finish_lines(found, prepared, run);
+    } else {
+      parts.ellipses = known_ellipses(prepared);
+    }
+  });
   write_debug_numbers(found.result, prepared.request, prepared.around.placement.page);
   if (found.result.regions) {
     std::ranges::move(hatch_regions(hatch, *found.result.regions, run), std::back_inserter(parts.hatching));

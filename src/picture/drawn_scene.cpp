@@ -109,6 +109,10 @@ std::vector<Fill> fills_of(const DrawnScene& drawn, RunReport& run) {
 
 }  // namespace
 
+std::shared_ptr<const KnownEllipses> known_ellipses(const PreparedScene& prepared) {
+  return std::make_shared<KnownEllipses>(circles_on_page(prepared), prepared.around.placement.page.sheet());
+}
+
 DrawnScene::DrawnScene(DrawnParts parts) : parts_(std::move(parts)) {}
 
 FoundSurfaces DrawnScene::surfaces() const { return found_surfaces(parts_.prepared.scene, parts_.prepared.patches); }
@@ -157,7 +161,7 @@ Picture DrawnScene::write(RunReport& run, PdfDocument* pages) const {
   return timed(run.stages, stage, [&] {
     if (request().output.format == OutputFormat::json) return Picture{scene_json(*this, plot)};
     const Drawing drawing = compose(run);
-    if (plot.curves) plot.known = std::make_shared<KnownEllipses>(circles_on_page(parts_.prepared), plot.page.sheet());
+    if (plot.curves) plot.known = parts_.ellipses ? parts_.ellipses : known_ellipses(parts_.prepared);
     const std::optional<FacePicture> faces = face_picture(parts_.prepared, result, plot);
     return write_picture(drawing, plot, request().plotter, {request().output.format, faces ? &*faces : nullptr, pages}, run);
   });

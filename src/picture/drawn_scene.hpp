@@ -21,7 +21,11 @@ struct DrawnParts {
   std::vector<Layer> hatching{};
   HatchPatches patches{};  ///< smooth groups of faces, if regions are hatched or written to JSON for later hatching
   bool has_edges = false;  ///< whether SceneVisibility::source() may be called
+  std::shared_ptr<const KnownEllipses> ellipses{};  ///< known_ellipses(), or null
 };
+
+/// The circles of recognised surfaces on the page, for curves in place of polylines.
+std::shared_ptr<const KnownEllipses> known_ellipses(const PreparedScene& prepared);
 
 class DrawnScene {
  public:

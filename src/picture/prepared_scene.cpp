@@ -193,7 +193,6 @@ void keep_surfaces(PreparedScene& prepared, Creases creases) {
   }
   prepared.scans = std::move(creases.scans);
   if (creases.patches.list.empty()) return;
-  prepared.circles = patch_circles(prepared.scene, prepared.topology, creases.patches);
   prepared.patches = std::move(creases.patches);
   prepared.patches.is_freeform = {};
   prepared.patches.borders = {};
@@ -223,7 +222,14 @@ void add_other_lines(PreparedScene& prepared) {
 /// Places all lines.
 void place_lines(PreparedScene& prepared, ChosenLines chosen, RunReport& run) {
   prepared.projected = std::move(chosen.candidates);
-  prepared.contours = place_with_contours(prepared, chosen.creases, std::move(chosen.early), run);
+  const Patches& patches = chosen.creases.patches;
+  parallel_tasks(patches.list.empty() ? 1 : 2, [&](std::size_t task) {
+    if (task == 0) {
+      prepared.contours = place_with_contours(prepared, chosen.creases, std::move(chosen.early), run);
+    } else {
+      prepared.circles = patch_circles(prepared.scene, prepared.topology, patches);
+    }
+  });
   add_lines_of_shape(prepared, std::move(chosen.tangents), chosen.creases);
   keep_surfaces(prepared, std::move(chosen.creases));
   add_other_lines(prepared);
