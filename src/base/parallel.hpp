@@ -50,7 +50,7 @@ void parallel_blocks(std::size_t count, std::size_t size, FunctionRef<void(std::
 
 /// Block sizes, in indices: where the work on an index is short, as for a vertex or a triangle; where it is a search.
 /// Adjustable.
-inline constexpr std::size_t kShortWorkBlock = 16'384, kSearchBlock = 256;
+inline constexpr std::size_t kShortWorkBlock = 4096, kSearchBlock = 256;
 
 /// Number of blocks of parallel_blocks(); the block that begins at `begin` has the number begin / size.
 inline std::size_t block_count(std::size_t count, std::size_t size) { return (count + size - 1) / size; }
