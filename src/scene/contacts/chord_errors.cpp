@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/model/topology.hpp"
 
@@ -83,18 +84,24 @@ double ChordErrors::of(std::uint32_t face) const { return errors_[place_of(face)
 double ChordErrors::bend(std::uint32_t face) const { return bends_[place_of(face)]; }
 
 FaceNeighbours::FaceNeighbours(const Scene& scene, const std::vector<std::uint32_t>& faces) {
-  std::vector<bool> at_face(scene.vertices.size(), false);
+  std::vector<std::uint8_t> at_face(scene.vertices.size(), 0);
   for (const std::uint32_t f : faces) {
-    for_each_edge(scene, f, [&](std::uint32_t v, std::uint32_t) { at_face[v] = true; });
+    for_each_edge(scene, f, [&](std::uint32_t v, std::uint32_t) { at_face[v] = 1; });
   }
   for (const Object& object : scene.objects) {
     const auto first = std::lower_bound(faces.begin(), faces.end(), object.face_begin);
     if (first == faces.end() || *first >= object.face_end) continue;
-    for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
-      for_each_edge(scene, f, [&](std::uint32_t v, std::uint32_t w) {
-        if (at_face[v] && at_face[w]) uses_.push_back({std::min(v, w), std::max(v, w), f});
-      });
-    }
+    const std::uint32_t count = object.face_end - object.face_begin;
+    std::vector<std::vector<EdgeUse>> found(block_count(count, kShortWorkBlock));
+    parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto f = static_cast<std::uint32_t>(object.face_begin + i);
+        for_each_edge(scene, f, [&](std::uint32_t v, std::uint32_t w) {
+          if (at_face[v] && at_face[w]) found[begin / kShortWorkBlock].push_back({std::min(v, w), std::max(v, w), f});
+        });
+      }
+    });
+    for (const std::vector<EdgeUse>& block : found) uses_.insert(uses_.end(), block.begin(), block.end());
   }
   std::sort(uses_.begin(), uses_.end());
 }

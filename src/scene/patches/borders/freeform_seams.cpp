@@ -133,16 +133,21 @@ class SeamFinder {
 
   void measure() {
     const std::vector<std::uint32_t> all = indices_of_marks(is_inner_);
-    for (const std::uint32_t i : indices_where(all.size(), [&](std::size_t k) { return may_hold_seam(all[k]); })) {
-      const std::uint32_t e = all[i];
-      const Edge& edge = topology_.edges[e];
-      const double one = depth_behind(scene_, scene_.faces.contour(edge.face0, 0), edge);
-      const double other = depth_behind(scene_, scene_.faces.contour(edge.face1, 0), edge);
-      const bool is_unlike = std::max(one, other) >= kUnlikeDepths * std::min(one, other);
-      inner_.push_back({e, !is_unlike ? kNone : one > other ? edge.face0 : edge.face1});
-    }
+    const std::vector<std::uint32_t> may_hold = indices_where(
+        all.size(), [&](std::size_t k) { return may_hold_seam(all[k]); }, kSearchBlock);
+    inner_.resize(may_hold.size());
+    parallel_blocks(may_hold.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::uint32_t e = all[may_hold[i]];
+        const Edge& edge = topology_.edges[e];
+        const double one = depth_behind(scene_, scene_.faces.contour(edge.face0, 0), edge);
+        const double other = depth_behind(scene_, scene_.faces.contour(edge.face1, 0), edge);
+        const bool is_unlike = std::max(one, other) >= kUnlikeDepths * std::min(one, other);
+        inner_[i] = {e, !is_unlike ? kNone : one > other ? edge.face0 : edge.face1};
+      }
+    });
     const std::vector<std::uint32_t> in_line = in_lines_by_depth();
-    parallel_blocks(in_line.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(in_line.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         Inner& inner = inner_[in_line[i]];
         inner.section = sections_.at(inner.edge);

@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <unordered_map>
 
+#include "base/indices_where.hpp"
 #include "scene/patches/freeform.hpp"
 #include "scene/patches/swept/swept_facets.hpp"
 
@@ -55,15 +57,16 @@ class ExtrudedFinder {
       for (std::size_t i = 0; i < seeds.size(); i += step) successes += is_done_[seeds[i]] || try_seed(seeds[i]);
       if (successes < kFewestSuccesses) return;
     }
-    for (const std::uint32_t f : seeds) try_seed(f);
+    // Surfaces that are found leave fewer strips to others, never more.
+    const auto has_strips = [&](std::size_t i) {
+      return is_free(seeds[i]) && std::ranges::any_of(directions_at(seeds[i]), [&](const Point3& direction) {
+               return has_few_strips(seeds[i], direction);
+             });
+    };
+    for (const std::uint32_t i : indices_where(seeds.size(), has_strips, kSearchBlock)) try_seed(seeds[i]);
   }
 
  private:
-  struct Ruling {
-    double length;
-    std::uint32_t edge;
-  };
-
   bool is_free(std::uint32_t f) const { return surfaces_.is_freeform[f] && surfaces_.patch_of[f] == kNone; }
 
   Point3 way(std::uint32_t e) const {
@@ -107,15 +110,44 @@ class ExtrudedFinder {
     return facets;
   }
 
-  /// Whether as many strips as a surface has were found from a facet on.
-  bool try_seed(std::uint32_t seed) {
-    if (is_done_[seed] || !is_free(seed)) return false;
+  /// Unit vectors along the longest edges of a facet over which it goes on.
+  std::vector<Point3> directions_at(std::uint32_t seed) const {
+    struct Ruling {
+      double length;
+      std::uint32_t edge;
+    };
     std::vector<Ruling> rulings;
     for (const FacetGraph::Arc& arc : graph_.arcs_of(seed)) rulings.push_back({glm::length(way(arc.edge)), arc.edge});
     std::ranges::stable_sort(rulings, std::ranges::greater{}, &Ruling::length);
+    std::vector<Point3> directions;
     for (std::size_t i = 0; i < std::min(rulings.size(), kMostTries); ++i) {
       if (!(rulings[i].length >= kLeastLength * tolerance_)) break;
-      Point3 direction = way(rulings[i].edge) / rulings[i].length;
+      directions.push_back(way(rulings[i].edge) / rulings[i].length);
+    }
+    return directions;
+  }
+
+  /// Whether walk() reaches kFewestStrips facets.
+  bool has_few_strips(std::uint32_t seed, const Point3& direction) const {
+    std::array<std::uint32_t, kFewestStrips> facets{seed};
+    std::size_t count = 1;
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const FacetGraph::Arc& arc : graph_.arcs_of(facets[i])) {
+        if (!is_ruling(arc.edge, direction) || !may_join(arc.facet, direction)) continue;
+        if (std::find(facets.begin(), facets.begin() + static_cast<std::ptrdiff_t>(count), arc.facet) !=
+            facets.begin() + static_cast<std::ptrdiff_t>(count))
+          continue;
+        facets[count++] = arc.facet;
+        if (count == kFewestStrips) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Whether as many strips as a surface has were found from a facet on.
+  bool try_seed(std::uint32_t seed) {
+    if (is_done_[seed] || !is_free(seed)) return false;
+    for (Point3 direction : directions_at(seed)) {
       if (walk(seed, direction).size() < kFewestStrips) continue;
       const std::vector<std::uint32_t> facets = walk(seed, direction);
       if (facets.size() < kFewestStrips) continue;
