@@ -9,7 +9,7 @@ namespace ligne {
 
 /// Number of faces in a block, and of vertices in a part, where half-edges are sorted by parallel_counting_sort().
 /// Adjustable.
-inline constexpr std::size_t kFacesPerBlock = 65'536, kVerticesPerPart = 16'384;
+inline constexpr std::size_t kFacesPerBlock = 16'384, kVerticesPerPart = 4096;
 
 /// Calls visit(from, to, face, corner) for every directed edge of every contour of the faces [begin, end).
 template <class Visit>
