@@ -16,7 +16,6 @@
 #include "base/prefetch.hpp"
 #include "scene/model/flat_faces.hpp"
 #include "scene/model/planarity.hpp"
-#include "scene/model/triangle_normal.hpp"
 #include "view/clip.hpp"
 
 namespace ligne {

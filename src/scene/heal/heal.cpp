@@ -25,7 +25,7 @@
 #include "scene/heal/merge_fine_vertices.hpp"
 #include "scene/heal/sew_borders.hpp"
 #include "scene/model/bounds.hpp"
-#include "scene/model/paired_edges.hpp"
+#include "scene/model/find_edges.hpp"
 #include "scene/model/precision.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
