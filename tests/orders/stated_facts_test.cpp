@@ -50,8 +50,9 @@ TEST(StatedFacts, FalseOnesNameTheObject) {
   through = finished(through);
   through.stated.state(StatedFact::convex);
   EXPECT_EQ(false_fact(through), "");
+  through.objects[0].name = "@";
   through.stated.state(StatedFact::no_penetration);
-  EXPECT_EQ(false_fact(through), "the fact 'no-penetration' is false: objects \"box\" and \"box\" pass through each other");
+  EXPECT_EQ(false_fact(through), "the fact 'no-penetration' is false: objects \"@\" and \"box\" pass through each other");
 }
 
 TEST(StatedFacts, FalseAdjacencyNamesTheObject) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
@@ -41,13 +42,29 @@ double largest_coordinate(const Scene& scene) {
   return largest;
 }
 
-std::string name_of(const Scene& scene, std::size_t object) {
-  return shown(object_name(scene.objects[object], object), '"');
+/// A contradiction of a stated fact. In the text, "@" stands for the name of the next object.
+struct Contradiction {
+  std::string text;
+  std::vector<std::size_t> objects;
+};
+
+std::string in_words(const Contradiction& found, const std::vector<Object>& objects) {
+  std::string text;
+  auto object = found.objects.begin();
+  for (const char c : found.text) {
+    if (c == '@') {
+      text += shown(object_name(objects[*object], *object), '"');
+      ++object;
+    } else {
+      text += c;
+    }
+  }
+  return text;
 }
 
 // Separating planes.
 
-std::string find_cut_object(const Scene& scene, double rounding) {
+std::optional<Contradiction> find_cut_object(const Scene& scene, double rounding) {
   for (std::size_t k = 0; k < scene.stated.planes.size(); ++k) {
     const SeparatingPlane& plane = scene.stated.planes[k];
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -59,8 +76,22 @@ std::string find_cut_object(const Scene& scene, double rounding) {
         before = before || height > tolerance;
         behind = behind || height < -tolerance;
       }
-      if (before && behind) return "separating_planes[" + std::to_string(k) + "] cuts object " + name_of(scene, i);
+      if (before && behind) return Contradiction{"separating_planes[" + std::to_string(k) + "] cuts object @", {i}};
     }
+  }
+  return std::nullopt;
+}
+
+// Adjacency.
+
+/// Why the edges do not join faces in pairs; empty if they do. With `any_way`, both faces may run along an edge the same
+/// way.
+std::string why_unpaired(const Topology& topology, EdgeRange edges, bool any_way) {
+  for (std::uint32_t e = edges.begin; e < edges.end; ++e) {
+    const std::uint16_t flags = topology.edge_flags[e];
+    if (topology.edges[e].face1 == kNone) return "has a border edge";
+    if (flags & kEdgeManyFaces) return "has an edge of more than two faces";
+    if ((flags & kEdgeUnlikeWound) && !any_way) return "has an edge along which both faces run the same way";
   }
   return {};
 }
@@ -76,18 +107,12 @@ struct FacePlane {
 /// Why an object is not one closed convex body; empty if nothing shows that it is not.
 class ConvexCheck {
  public:
-  ConvexCheck(const Scene& scene, const Topology& topology, const Object& object, double rounding)
-      : scene_(scene),
-        topology_(topology),
-        object_(object),
-        tolerance_(8 * object.precision + rounding),
-        edges_(edges_of(topology, object)) {}
+  ConvexCheck(const Scene& scene, const Topology& topology, const Object& object, EdgeRange edges, double rounding)
+      : scene_(scene), topology_(topology), object_(object), edges_(edges), tolerance_(8 * object.precision + rounding) {}
 
   std::string why_not() {
-    for (std::uint32_t e = edges_.begin; e < edges_.end; ++e) {
-      if (topology_.edges[e].face1 == kNone) return "has a border edge";
-      if (topology_.edge_flags[e] & kEdgeManyFaces) return "has an edge of more than two faces";
-    }
+    std::string why = why_unpaired(topology_, edges_, true);
+    if (!why.empty()) return why;
     if (!is_one_part()) return "has several parts";
     find_planes();
     for (std::uint32_t e = edges_.begin; e < edges_.end; ++e) {
@@ -153,34 +178,23 @@ class ConvexCheck {
   const Scene& scene_;
   const Topology& topology_;
   const Object& object_;
-  double tolerance_;
   EdgeRange edges_;
+  double tolerance_;
   std::vector<FacePlane> planes_;
 };
 
-std::string find_dented_object(const Scene& scene, const Topology& topology, double rounding) {
+/// Finds an object that is not one closed convex body, or whose faces do not join in pairs.
+std::optional<Contradiction> find_false_object(const Scene& scene, const Topology& topology, bool is_convex,
+                                               double rounding) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    const std::string why = ConvexCheck(scene, topology, scene.objects[i], rounding).why_not();
-    if (!why.empty()) return "object " + name_of(scene, i) + " is not one closed convex body: it " + why;
+    const Object& object = scene.objects[i];
+    const EdgeRange edges = edges_of(topology, object);
+    const std::string why =
+        is_convex ? ConvexCheck(scene, topology, object, edges, rounding).why_not() : why_unpaired(topology, edges, false);
+    if (why.empty()) continue;
+    return Contradiction{(is_convex ? "object @ is not one closed convex body: it " : "object @ ") + why, {i}};
   }
-  return {};
-}
-
-// Adjacency.
-
-std::string find_unpaired_object(const Scene& scene, const Topology& topology) {
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    const EdgeRange edges = edges_of(topology, scene.objects[i]);
-    for (std::uint32_t e = edges.begin; e < edges.end; ++e) {
-      const std::uint16_t flags = topology.edge_flags[e];
-      const char* const why = topology.edges[e].face1 == kNone ? " has a border edge"
-                              : flags & kEdgeManyFaces         ? " has an edge of more than two faces"
-                              : flags & kEdgeUnlikeWound       ? " has an edge along which both faces run the same way"
-                                                               : nullptr;
-      if (why) return "object " + name_of(scene, i) + why;
-    }
-  }
-  return {};
+  return std::nullopt;
 }
 
 // Penetrations.
@@ -211,9 +225,9 @@ bool penetrate(const Triangle3& t, const Triangle3& u, double tolerance) {
   return false;
 }
 
-std::string find_penetration(const Scene& scene, const Topology& topology, double rounding) {
+std::optional<Contradiction> find_penetration(const Scene& scene, const Topology& topology, double rounding) {
   const std::size_t n = topology.triangles.size();
-  if (n == 0) return {};
+  if (n == 0) return std::nullopt;
   double tolerance = rounding;
   for (const Object& object : scene.objects) tolerance = std::max(tolerance, 8 * object.precision + rounding);
   const auto corners = [&](std::size_t t) {
@@ -230,34 +244,35 @@ std::string find_penetration(const Scene& scene, const Topology& topology, doubl
     boxes.back().high += Point3(tolerance);
   }
   const std::size_t samples = std::min(n, std::max<std::size_t>(kMostPairs / n, 1));
-  const ObjectOfFace object_of(scene);
+  const auto object_of = [&](std::size_t t) {
+    const auto at = std::ranges::upper_bound(scene.objects, topology.triangles[t].face, {}, &Object::face_end);
+    return static_cast<std::size_t>(at - scene.objects.begin());
+  };
   for (std::size_t i = 0; i < samples; ++i) {
     const std::size_t t = i * n / samples;
     const Triangle3 c = corners(t);
     for (std::size_t u = samples == n ? t + 1 : 0; u < n; ++u) {
       if (!boxes[t].meets(boxes[u]) || topology.triangles[t].face == topology.triangles[u].face) continue;
       if (!penetrate(c, corners(u), tolerance)) continue;
-      const std::size_t a = object_of(topology.triangles[t].face), b = object_of(topology.triangles[u].face);
-      return a == b ? "object " + name_of(scene, a) + " has faces that pass through each other"
-                    : "objects " + name_of(scene, a) + " and " + name_of(scene, b) + " pass through each other";
+      const std::size_t a = object_of(t), b = object_of(u);
+      if (a == b) return Contradiction{"object @ has faces that pass through each other", {a}};
+      return Contradiction{"objects @ and @ pass through each other", {a, b}};
     }
   }
-  return {};
+  return std::nullopt;
+}
+
+std::optional<Contradiction> contradiction_of(const Scene& scene, const Topology& topology, StatedFact fact,
+                                              double rounding) {
+  if (fact == StatedFact::no_penetration) return find_penetration(scene, topology, rounding);
+  return find_false_object(scene, topology, fact == StatedFact::convex, rounding);
 }
 
 }  // namespace
 
 std::string why_false(const Scene& scene, const Topology& topology, StatedFact fact) {
-  const double rounding = kHeightRounding * largest_coordinate(scene);
-  switch (fact) {
-    case StatedFact::no_penetration:
-      return find_penetration(scene, topology, rounding);
-    case StatedFact::convex:
-      return find_dented_object(scene, topology, rounding);
-    case StatedFact::adjacency:
-      return find_unpaired_object(scene, topology);
-  }
-  return {};
+  const auto found = contradiction_of(scene, topology, fact, kHeightRounding * largest_coordinate(scene));
+  return found ? in_words(*found, scene.objects) : std::string();
 }
 
 bool tests_all_pairs(const Topology& topology) {
@@ -266,17 +281,16 @@ bool tests_all_pairs(const Topology& topology) {
 }
 
 std::string find_false_fact(const Scene& scene, const Topology& topology) {
-  const StatedFacts& stated = scene.stated;
-  if (!stated.any()) return {};
-  std::string why = find_cut_object(scene, kHeightRounding * largest_coordinate(scene));
-  if (!why.empty()) return why;
+  if (!scene.stated.any()) return {};
+  const double rounding = kHeightRounding * largest_coordinate(scene);
+  std::string is_false;
+  std::optional<Contradiction> found = find_cut_object(scene, rounding);
   for (const StatedFact fact : {StatedFact::adjacency, StatedFact::convex, StatedFact::no_penetration}) {
-    if (!stated.has(fact)) continue;
-    why = why_false(scene, topology, fact);
-    if (!why.empty())
-      return "the fact '" + std::string(kStatedFactNames[static_cast<std::size_t>(fact)]) + "' is false: " + why;
+    if (found || !scene.stated.has(fact)) continue;
+    found = contradiction_of(scene, topology, fact, rounding);
+    is_false = "the fact '" + std::string(kStatedFactNames[static_cast<std::size_t>(fact)]) + "' is false: ";
   }
-  return {};
+  return found ? is_false + in_words(*found, scene.objects) : std::string();
 }
 
 }  // namespace ligne
