@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "scene/model/bounds.hpp"
 #include "scene/model/topology.hpp"
 #include "studies/experiments.hpp"
 #include "studies/operations/sorts.hpp"

@@ -10,6 +10,7 @@
 #include "files/message_text.hpp"
 #include "picture/errors.hpp"
 #include "scene/clean/named_objects.hpp"
+#include "scene/model/bounds.hpp"
 
 namespace ligne {
 namespace {
@@ -33,19 +34,19 @@ double fitting_scale(const Page& page, const Rect& extent, double inset_part) {
 }
 
 /// Returns the camera of the file that the request names. Throws RequestError.
-const SceneCamera& file_camera(const std::string& name, const Scene& scene) {
-  if (scene.cameras.empty()) throw RequestError("view", "the model has no camera");
-  if (name.empty()) return scene.cameras.front();
-  const auto found = std::ranges::find_if(scene.cameras, [&](const SceneCamera& c) { return name_fits(name, c.name); });
-  if (found != scene.cameras.end()) return *found;
+const SceneCamera& file_camera(const std::string& name, const std::vector<SceneCamera>& cameras) {
+  if (cameras.empty()) throw RequestError("view", "the model has no camera");
+  if (name.empty()) return cameras.front();
+  const auto found = std::ranges::find_if(cameras, [&](const SceneCamera& c) { return name_fits(name, c.name); });
+  if (found != cameras.end()) return *found;
   std::string names;
-  for (const SceneCamera& c : scene.cameras) names += (names.empty() ? "" : ", ") + printable(c.name);
+  for (const SceneCamera& c : cameras) names += (names.empty() ? "" : ", ") + printable(c.name);
   throw RequestError(
-      "view", "no camera is called " + shown(name, '"') + "; there " + (scene.cameras.size() == 1 ? "is " : "are ") + names);
+      "view", "no camera is called " + shown(name, '"') + "; there " + (cameras.size() == 1 ? "is " : "are ") + names);
 }
 
-/// Sets the request to a camera of the file. In perspective, lengths are true at the middle of the scene.
-void look_through(const SceneCamera& from, const Scene& scene, CameraRequest& to) {
+/// Sets the request to a camera of the file. In perspective, lengths are true at the centre of the scene.
+void look_through(const SceneCamera& from, const Point3& centre, CameraRequest& to) {
   const double length = glm::length(from.forward);
   if (!to.up) to.up = from.up;
   if (!from.perspective) {
@@ -53,7 +54,7 @@ void look_through(const SceneCamera& from, const Scene& scene, CameraRequest& to
     return;
   }
   const Point3 forward = from.forward / length;
-  const double middle = glm::dot(bounding_box_centre(scene) - from.eye, forward);
+  const double middle = glm::dot(centre - from.eye, forward);
   to.eye = from.eye;
   to.target = from.eye + forward * (middle > 0 ? middle : length);
   to.fov_degrees = from.fov_degrees;
@@ -77,6 +78,7 @@ void check(const PageRequest& request) {
 
 Camera camera_of(const ViewRequest& request, const Scene& scene) {
   if (request.made) return *request.made;
+  const Point3 centre = bounding_box_centre(scene);
   CameraRequest camera;
   if (request.named_view) camera.named_view = *request.named_view;
   camera.direction = request.direction;
@@ -85,14 +87,19 @@ Camera camera_of(const ViewRequest& request, const Scene& scene) {
   camera.fov_degrees = request.fov_degrees;
   camera.up = request.up;
   camera.up_axis = request.up_axis.value_or(scene.up_axis);
-  if (request.camera) look_through(file_camera(*request.camera, scene), scene, camera);
+  if (request.camera) look_through(file_camera(*request.camera, scene.cameras), centre, camera);
   try {
-    const Camera made = make_camera(camera, scene);
+    const Camera made = make_camera(camera, centre);
     if (request.turn_degrees == 0) return made;
-    return with_model_turned(made, camera.up_axis, bounding_box_centre(scene), request.turn_degrees);
+    return with_model_turned(made, camera.up_axis, centre, request.turn_degrees);
   } catch (const std::invalid_argument& e) {
     throw RequestError("", e.what());
   }
+}
+
+CameraPicture picture_of(const ViewRequest& view, const PageRequest& page, const Scene& scene) {
+  const Camera camera = camera_of(view, scene);
+  return {camera, page.extent ? *page.extent : projected_extent(scene, camera), scene.unit_mm};
 }
 
 Page page_for(const PageRequest& request, const Rect& extent) {
@@ -107,11 +114,8 @@ Page page_for(const PageRequest& request, const Rect& extent) {
              : page;
 }
 
-Placement place(const Scene& scene, const Camera& camera, const PageRequest& request, const Insets& insets) {
-  return place(projected_extent(scene, camera), scene.unit_mm, camera, request, insets);
-}
-
-Placement place(const Rect& extent, double unit_mm, const Camera& camera, const PageRequest& request, const Insets& insets) {
+Placement place(const CameraPicture& picture, const PageRequest& request, const Insets& insets) {
+  const Rect& extent = picture.extent;
   Placement placement;
   placement.page = page_for(request, extent);
   Rect area = placement.page.drawable();
@@ -122,7 +126,8 @@ Placement place(const Rect& extent, double unit_mm, const Camera& camera, const 
                                    shortest(placement.page.width_mm) + " x " + shortest(placement.page.height_mm) +
                                    " mm; --text-height makes them smaller");
   }
-  placement.view = make_view(extent, camera, {area}, placement.page.sheet(), request.page_mm_per_unit(unit_mm));
+  placement.view =
+      make_view(extent, picture.camera, {area}, placement.page.sheet(), request.page_mm_per_unit(picture.unit_mm));
   if (!extent.empty()) {
     const Point2 size = Point2(extent.width(), extent.height()) * placement.view.scale;
     const Point2 centre = (area.min + area.max) * 0.5;

@@ -261,8 +261,8 @@ PreparedScene prepare(const Scene& scene, PictureRequest requested, const std::o
     if (!why.empty()) throw RequestError("", why);
   }
   return timed(run.stages, {"project", faces}, [&] {
-    prepared.around =
-        place_with_axes(box, scene, camera_of(request.view, scene), request.page, request.axes, request.heading);
+    const CameraPicture picture = picture_of(request.view, request.page, scene);
+    prepared.around = place_with_axes(box, picture, request.page, request.axes, request.heading);
     ChosenLines chosen = choose_lines(prepared, run);
     PreparedScene placed = refined(std::move(prepared), chosen);
     place_lines(placed, std::move(chosen), run);

@@ -92,7 +92,7 @@ SceneInfo scene_info(const LoadedModels& models, const ViewRequest& view, const 
   info.scene = scene_facts(scene, topology);
   ProjectedScene projected;
   timed(run.stages, "project", [&] {
-    info.placement = place(scene, camera_of(view, scene), page);
+    info.placement = place(picture_of(view, page, scene), page);
     Creases creases;
     const LineClasses classes = parse_edges("all");
     const EdgeSelection all = select_edges(search_creases(scene, topology, lines, classes), lines, classes, creases, run);

@@ -68,21 +68,19 @@ bool finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) &
 
 }  // namespace
 
-Point3 bounding_box_centre(const Scene& scene) {
-  if (scene.vertices.empty()) return {0, 0, 0};
-  const auto [low, high] = bounds_of(scene, 0, scene.vertices.size());
-  return low + (high - low) * 0.5;
+Camera make_camera(const CameraRequest& request, const Scene& scene) {
+  return make_camera(request, bounding_box_centre(scene));
 }
 
-Camera make_camera(const CameraRequest& request, const Scene& scene) {
+Camera make_camera(const CameraRequest& request, const Point3& centre) {
   const ModelFrame frame = model_frame(request.up_axis);
-  const Point3 centre = request.target ? *request.target : bounding_box_centre(scene);
+  const Point3 target = request.target.value_or(centre);
   Camera camera;
   ViewDirection sight{{0, 0, 0}, frame.up};
   if (request.eye) {
     camera.perspective = true;
     camera.eye = *request.eye;
-    sight.forward = centre - *request.eye;
+    sight.forward = target - *request.eye;
     if (!finite(sight.forward) || glm::length(sight.forward) == 0) {
       throw std::invalid_argument("the eye and the target are the same point");
     }
@@ -93,7 +91,7 @@ Camera make_camera(const CameraRequest& request, const Scene& scene) {
     camera.target_distance = glm::length(sight.forward);
     if (request.aspect) camera.aspect = *request.aspect;
   } else {
-    camera.eye = centre;
+    camera.eye = target;
     if (request.direction) {
       sight.forward = *request.direction;
       if (!finite(sight.forward) || glm::length(sight.forward) == 0) {
@@ -121,12 +119,12 @@ Point3 camera_coordinates(const Camera& camera, const Point3& p) {
 }
 
 Rect projected_extent(const Scene& scene, const Camera& camera) {
-  Rect extent;
+  const auto coordinates_of = [&](std::size_t v) { return camera_coordinates(camera, scene.vertices[v]); };
   if (!camera.perspective) {
     const auto extent_of = [&](std::size_t begin, std::size_t end) {
       Rect part;
       for (std::size_t v = begin; v < end; ++v) {
-        const Point3 c = camera_coordinates(camera, scene.vertices[v]);
+        const Point3 c = coordinates_of(v);
         part.extend({c.x, c.y});
       }
       return part;
@@ -142,9 +140,10 @@ Rect projected_extent(const Scene& scene, const Camera& camera) {
   const double half_width = half_height * camera.aspect;
   const double near_distance = camera.target_distance * kNearPart;
   const ClipVolume volume{{{-half_width, -half_height}, {half_width, half_height}}, near_distance};
+  Rect extent;
   std::vector<HomogeneousPoint> contour;
   const auto to_plane = [&](std::uint32_t v) {
-    const Point3 c = camera_coordinates(camera, scene.vertices[v]);
+    const Point3 c = coordinates_of(v);
     return HomogeneousPoint{c.x * camera.target_distance, c.y * camera.target_distance, 0, c.z};
   };
   for (std::size_t f = 0; f < scene.faces.size(); ++f) {

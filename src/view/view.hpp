@@ -45,6 +45,10 @@ inline constexpr std::string_view kNamedViews[] = {"front",  "back", "left",    
 /// up axis is used. If that is parallel too, up is the direction to the back of the model (looking down) or to its
 /// front (looking up), as in the named views top and bottom. The front view looks along +y if z is up, along -z if y is
 /// up, along +z if x is up.
+/// `centre`: see bounding_box_centre().
+Camera make_camera(const CameraRequest& request, const Point3& centre);
+
+/// Makes the camera for the centre of the scene.
 Camera make_camera(const CameraRequest& request, const Scene& scene);
 
 /// The rectangle of the page that may be drawn on, in page mm (x right, y down).
@@ -98,9 +102,6 @@ Rect projected_extent(const Scene& scene, const Camera& camera);
 /// The camera whose picture shows the model rotated about the axis through `centre`, counter-clockwise as seen with
 /// the axis pointing at the viewer.
 Camera with_model_turned(const Camera& camera, Axis axis, const Point3& centre, double degrees);
-
-/// The centre of the scene's bounding box; the origin if there are no vertices.
-Point3 bounding_box_centre(const Scene& scene);
 
 /// Places the camera's picture on the page: centres `extent` (see projected_extent) on `frame`, at `scale` page mm per
 /// model unit or, without it, scaled to fit. Lines outside `window` (the page) will be clipped.

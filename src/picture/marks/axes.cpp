@@ -109,18 +109,16 @@ double text_height_mm(const AxesChoice& choice, const Page& page) {
   return *choice.text_height_mm;
 }
 
-PictureMarks place_with_axes(const std::optional<PlotBox>& box, const Scene& scene, const Camera& camera,
-                             const PageRequest& page, const AxesChoice& choice, const std::string& heading) {
+PictureMarks place_with_axes(const std::optional<PlotBox>& box, CameraPicture picture, const PageRequest& page,
+                             const AxesChoice& choice, const std::string& heading) {
   std::optional<AxesRequest> request = request_of(choice, box);
-  const Rect extent = page.extent ? *page.extent
-                      : request   ? projected_extent(box_scene(request->box()), camera)
-                                  : projected_extent(scene, camera);
+  if (request && !page.extent) picture.extent = projected_extent(box_scene(request->box()), picture.camera);
   const MeasureText measure = [&](std::string_view text, double height) { return text_extent(text, height, choice.text); };
 
   PictureMarks result;
   Insets insets;
   for (int trial = 0; trial < kMostTrials; ++trial) {
-    result = {place(extent, scene.unit_mm, camera, page, insets), {}, {}, {}};
+    result = {place(picture, page, insets), {}, {}, {}};
     const Placement& placement = result.placement;
     if (placement.picture.empty()) return result;
     const double height = text_height_mm(choice, placement.page);

@@ -40,9 +40,9 @@ struct PlotBox {
 double text_height_mm(const AxesChoice& choice, const Page& page);
 
 /// Places the camera's picture on the page, with the requested axes, map signs and texts around it. `box` is empty if
-/// the scene is not a plot. Without axes, the extent of `scene` is fitted to the page.
-PictureMarks place_with_axes(const std::optional<PlotBox>& box, const Scene& scene, const Camera& camera,
-                             const PageRequest& page, const AxesChoice& choice, const std::string& heading);
+/// the picture is not a plot. With axes, the box is fitted to the page unless an extent was requested.
+PictureMarks place_with_axes(const std::optional<PlotBox>& box, CameraPicture picture, const PageRequest& page,
+                             const AxesChoice& choice, const std::string& heading);
 
 /// The lines of the axes that the plotted surface may hide, in model coordinates.
 std::vector<std::array<Point3, 2>> back_lines(const PictureMarks& surroundings);

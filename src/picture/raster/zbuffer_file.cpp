@@ -102,7 +102,7 @@ View view_of(const ZBufferPlace& place, const Scene& scene) {
   page.margin_mm = place.page.margin_mm;
   page.scale = place.scale;
   page.unit_mm = place.unit_mm;
-  return ligne::place(place.extent, scene.unit_mm, place.camera, page).view;
+  return ligne::place({place.camera, place.extent, scene.unit_mm}, page).view;
 }
 
 }  // namespace

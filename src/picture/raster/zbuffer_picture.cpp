@@ -14,8 +14,9 @@ namespace {
 /// The place that the request alone would have.
 ZBufferPlace place_of(const PictureRequest& request, const Scene& scene) {
   ZBufferPlace place;
-  place.camera = camera_of(request.view, scene);
-  place.extent = request.page.extent.value_or(projected_extent(scene, place.camera));
+  const CameraPicture picture = picture_of(request.view, request.page, scene);
+  place.camera = picture.camera;
+  place.extent = picture.extent;
   place.page = page_for(request.page, place.extent);
   place.scale = request.page.scale;
   place.unit_mm = request.page.unit_mm;

@@ -50,7 +50,9 @@ std::optional<StreamedView> find_view(const TriangleFile& file, const PictureReq
   const Scene frame = scene_of_triangles(file, view.triangles);
   const Rect seen = projected_extent(frame, camera), all = extent.rect();
   if (!extent.in_view || seen.min != all.min || seen.max != all.max) return std::nullopt;
-  view.placement = place_with_axes({}, frame, camera, picture.page, picture.axes, picture.heading).placement;
+  view.placement = place_with_axes({}, {camera, picture.page.extent.value_or(seen), frame.unit_mm}, picture.page,
+                                   picture.axes, picture.heading)
+                       .placement;
   const auto depth_mm = [&](double distance) {
     const double s = view.placement.view.scale, d = camera.target_distance;
     return camera.perspective ? s * d * (distance - d) / distance : s * distance;

@@ -147,7 +147,8 @@ std::vector<SurfaceMesh> meshes_of(const SurfaceRequest& request, const std::vec
 PictureMarks place_box(const SurfaceRequest& request, const PlotBox& box) {
   const PictureRequest& picture = request.picture;
   const Scene extent = box_scene(box.in_model());
-  return place_with_axes(box, extent, camera_of(view_of(request), extent), picture.page, picture.axes, picture.output.title);
+  return place_with_axes(box, picture_of(view_of(request), picture.page, extent), picture.page, picture.axes,
+                         picture.output.title);
 }
 
 /// Range of the drawn samples in the units of the axes. Apart from borders between samples, the meshes will have the

@@ -207,7 +207,9 @@ std::optional<HorizonDrawing> draw_horizon(const SurfaceRequest& request, std::v
       std::to_string(surface.heights->x().size()) + " x " + std::to_string(surface.heights->y().size()) + " samples";
   timed(run.stages, {"place", samples}, [&] {
     horizon = horizon_request(request, surface, run);
-    around = place_with_axes(horizon.box, horizon.extent, horizon.camera, picture.page, picture.axes, picture.output.title);
+    const Rect extent = picture.page.extent.value_or(projected_extent(horizon.extent, horizon.camera));
+    around = place_with_axes(horizon.box, {horizon.camera, extent, horizon.extent.unit_mm}, picture.page, picture.axes,
+                             picture.output.title);
     if (surface.thinned && horizon.box) thin_curves(surface, horizon, around.placement.view, picture.page.pen_width_mm, run);
     if (request.curves.ridgeline && horizon.box) frame_ridgelines(horizon.box->in_model(), around.axes);
     horizon.options.back_lines = back_lines(around);

@@ -32,6 +32,13 @@ inline Bounds bounds_of(const Scene& scene, std::size_t begin, std::size_t end) 
   return parallel_reduce(end - begin, kShortWorkBlock, start, of_block, together);
 }
 
+/// The centre of the scene's bounding box; the origin if there are no vertices.
+inline Point3 bounding_box_centre(const Scene& scene) {
+  if (scene.vertices.empty()) return {0, 0, 0};
+  const auto [low, high] = bounds_of(scene, 0, scene.vertices.size());
+  return low + (high - low) * 0.5;
+}
+
 /// Largest absolute value of a coordinate; 0 without vertices.
 inline double largest_coordinate(const Scene& scene) {
   if (scene.vertices.empty()) return 0;
