@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <concepts>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,6 +15,7 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "files/json_text.hpp"
 #include "linework/stroke_geometry.hpp"
 #include "plotting/writers/number_text.hpp"
 #include "plotting/writers/writers.hpp"
@@ -36,12 +36,6 @@ constexpr int kTurnDecimals = 6;
 /// Decimals that distinguish neighbouring lattice points: at most half a step.
 int lattice_decimals(const Lattice& lattice) {
   return std::clamp(static_cast<int>(std::ceil(-std::log10(lattice.step_mm / 2))), kPageDecimals, kMostPageDecimals);
-}
-
-/// The text as a JSON string, with quotes. Bytes that are not UTF-8 are replaced.
-std::string json_string(std::string_view text) {
-  using nlohmann::json;
-  return json(std::string(text)).dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 void append_integer(std::string& out, std::uint64_t value) {

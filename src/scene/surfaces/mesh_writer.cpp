@@ -4,8 +4,9 @@
 #include <cassert>
 #include <charconv>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string_view>
+
+#include "files/json_text.hpp"
 
 namespace ligne {
 namespace {
@@ -22,11 +23,6 @@ void append_point(std::string& out, const Point3& p, char separator) {
     if (axis > 0) out += separator;
     append(out, p[axis]);
   }
-}
-
-std::string json_string(std::string_view text) {
-  using nlohmann::json;
-  return json(std::string(text)).dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 std::string_view axis_name(Axis axis) { return axis == Axis::x ? "x" : axis == Axis::y ? "y" : "z"; }
