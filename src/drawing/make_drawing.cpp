@@ -28,8 +28,7 @@ std::size_t layer_of(const Stroke& stroke) { return stroke_layer(stroke.line_cla
 
 /// Whether b lies on the segment a c, between its ends.
 bool between(LatticePoint a, LatticePoint b, LatticePoint c) {
-  if (orientation(a, b, c) != 0) return false;
-  return (double(b.x) - a.x) * (double(c.x) - b.x) + (double(b.y) - a.y) * (double(c.y) - b.y) > 0;
+  return orientation(a, b, c) == 0 && glm::dot(offset(a, b), offset(b, c)) > 0;
 }
 
 /// Drops the first point of a closed line if the line runs straight through it.

@@ -21,23 +21,22 @@ void unite(std::vector<StrokePart>& parts) {
 /// The part is the hull of the parts in the two discs around the ends of the other stroke and in the strip between
 /// them.
 StrokePart part_near(const Stroke& bit, const Stroke& line, double reach) {
-  const double dx = double(bit.to.x) - bit.from.x, dy = double(bit.to.y) - bit.from.y, square = dx * dx + dy * dy;
+  const Point2 d = offset(bit.from, bit.to), u = offset(line.from, line.to), start = offset(line.from, bit.from);
+  const double square = glm::dot(d, d), length = glm::length(u);
   StrokePart part;
   for (const LatticePoint end : {line.from, line.to}) {
-    const double px = double(end.x) - bit.from.x, py = double(end.y) - bit.from.y;
-    const double middle = (px * dx + py * dy) / square, beside = std::abs(px * dy - py * dx) / std::sqrt(square);
+    const Point2 p = offset(bit.from, end);
+    const double middle = glm::dot(p, d) / square, beside = std::abs(cross(p, d)) / std::sqrt(square);
     if (beside > reach) continue;
     const double half = std::sqrt((reach - beside) * (reach + beside) / square);
     part.add(middle - half, middle + half);
   }
-  const double ux = double(line.to.x) - line.from.x, uy = double(line.to.y) - line.from.y, length = page_length(line);
   if (length == 0) return part;
   // Clips to the fractions at which the distances along and across the other stroke are in range. Both are linear in
   // the fraction.
   StrokePart beside{0, 1};
-  const double fx = double(bit.from.x) - line.from.x, fy = double(bit.from.y) - line.from.y;
-  beside.keep((fx * ux + fy * uy) / length, (dx * ux + dy * uy) / length, 0, length);
-  beside.keep((fx * uy - fy * ux) / length, (dx * uy - dy * ux) / length, -reach, reach);
+  beside.keep(glm::dot(start, u) / length, glm::dot(d, u) / length, 0, length);
+  beside.keep(cross(start, u) / length, cross(d, u) / length, -reach, reach);
   part.add(beside.from, beside.to);
   return part;
 }
@@ -52,11 +51,8 @@ double walked_cell(const std::vector<Stroke>& strokes, double wanted) {
 }
 
 const HiddenPart* hidden_part_at(const StrokeModel& model, std::uint32_t source, double t) {
-  const auto begins_behind = [](const std::pair<std::uint32_t, double>& at, const HiddenPart& part) {
-    return at < std::pair(part.source, part.t_from);
-  };
-  const auto behind =
-      std::upper_bound(model.hidden_parts.begin(), model.hidden_parts.end(), std::pair(source, t), begins_behind);
+  const auto begin_of = [](const HiddenPart& part) { return std::pair(part.source, part.t_from); };
+  const auto behind = std::ranges::upper_bound(model.hidden_parts, std::pair(source, t), {}, begin_of);
   if (behind == model.hidden_parts.begin()) return nullptr;
   const HiddenPart& part = *std::prev(behind);
   return part.source == source && t <= part.t_to ? &part : nullptr;

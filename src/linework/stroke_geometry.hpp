@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/geometric.hpp>
+
 #include "linework/stroke.hpp"
 
 namespace ligne {
@@ -41,6 +43,9 @@ inline Stroke stroke_between(Stroke like, const StrokeTip& from, const StrokeTip
   return like;
 }
 
+/// The vector between two points, exact.
+inline Point2 offset(LatticePoint from, LatticePoint to) { return {double(to.x) - from.x, double(to.y) - from.y}; }
+
 /// The lattice point nearest to a point, steps.
 inline LatticePoint nearest_step(double x, double y) {
   return {static_cast<std::int32_t>(std::lround(x)), static_cast<std::int32_t>(std::lround(y))};
@@ -48,9 +53,7 @@ inline LatticePoint nearest_step(double x, double y) {
 inline LatticePoint moved(LatticePoint p, Point2 by) { return nearest_step(p.x + by.x, p.y + by.y); }
 
 /// The point at a fraction of a stroke's length, rounded to the lattice.
-inline LatticePoint point_at(const Stroke& s, double fraction) {
-  return moved(s.from, {fraction * (double(s.to.x) - s.from.x), fraction * (double(s.to.y) - s.from.y)});
-}
+inline LatticePoint point_at(const Stroke& s, double fraction) { return moved(s.from, fraction * offset(s.from, s.to)); }
 
 /// The point of a segment that is nearest to a given point.
 struct FootPoint {
@@ -58,11 +61,9 @@ struct FootPoint {
   double distance = 0;  ///< lattice steps
 };
 inline FootPoint foot_on(const Stroke& s, LatticePoint p) {
-  const double dx = double(s.to.x) - s.from.x, dy = double(s.to.y) - s.from.y;
-  const double px = double(p.x) - s.from.x, py = double(p.y) - s.from.y, square = dx * dx + dy * dy;
-  const double t = square > 0 ? std::clamp((px * dx + py * dy) / square, 0.0, 1.0) : 0;
-  const double x = px - t * dx, y = py - t * dy;
-  return {t, std::sqrt(x * x + y * y)};
+  const Point2 line = offset(s.from, s.to), to_p = offset(s.from, p);
+  const double square = glm::dot(line, line), t = square > 0 ? std::clamp(glm::dot(to_p, line) / square, 0.0, 1.0) : 0;
+  return {t, glm::length(to_p - t * line)};
 }
 
 /// A point at which a stroke is cut.
@@ -73,24 +74,16 @@ struct StrokeCut {
 
 /// The piece of a stroke between two cuts, or its extension to them. Its parameters, depths and weights are interpolated.
 inline Stroke stroke_piece(const Stroke& s, const StrokeCut& from, const StrokeCut& to) {
-  const auto depth = [&](double fraction) { return static_cast<float>((1 - fraction) * s.z_from + fraction * s.z_to); };
-  const auto weight = [&](double fraction) {
-    const double u = (source_parameter(s, fraction) - s.t_from) / (s.t_to - s.t_from);
-    return static_cast<float>((1 - u) * s.w_from + u * s.w_to);
+  const auto put_end = [&](const StrokeCut& cut, LatticePoint& p, double& t, float& z, float& w) {
+    p = cut.p;
+    t = source_parameter(s, cut.fraction);
+    z = static_cast<float>((1 - cut.fraction) * s.z_from + cut.fraction * s.z_to);
+    const double u = (t - s.t_from) / (s.t_to - s.t_from);
+    w = static_cast<float>((1 - u) * s.w_from + u * s.w_to);
   };
   Stroke part = s;
-  if (from.fraction != 0) {
-    part.t_from = source_parameter(s, from.fraction);
-    part.z_from = depth(from.fraction);
-    part.w_from = weight(from.fraction);
-    part.from = from.p;
-  }
-  if (to.fraction != 1) {
-    part.t_to = source_parameter(s, to.fraction);
-    part.z_to = depth(to.fraction);
-    part.w_to = weight(to.fraction);
-    part.to = to.p;
-  }
+  if (from.fraction != 0) put_end(from, part.from, part.t_from, part.z_from, part.w_from);
+  if (to.fraction != 1) put_end(to, part.to, part.t_to, part.z_to, part.w_to);
   return part;
 }
 

@@ -63,9 +63,10 @@ bool is_blocked(LineMap& map, const Stroke& stroke, double clear, const std::vec
 struct OpenEnd {
   std::uint32_t end;
   LatticePoint point{};
-  double dx = 0, dy = 0, length = 0;  ///< direction and length of the whole stroke, towards the end
-  double line_length = 0;             ///< length of its chain; infinite if no rule asks how long it is
-  std::uint32_t chain = kNone;        ///< its lowest piece, if the length is known
+  Point2 along{0, 0};           ///< vector of the whole stroke, towards the end
+  double length = 0;            ///< of the whole stroke
+  double line_length = 0;       ///< length of its chain; infinite if no rule asks how long it is
+  std::uint32_t chain = kNone;  ///< its lowest piece, if the length is known
 };
 
 class OpenEnds {
@@ -76,11 +77,11 @@ class OpenEnds {
     for (std::uint32_t end = 0; end < 2 * map.piece_count(); ++end) {
       if (!map.is_alive(end / 2) || !is_feature(map.piece(end / 2)) || !map.is_free(end)) continue;
       const Stroke& s = map.stroke_of(end / 2);
-      const LatticePoint start = end % 2 == 0 ? s.to : s.from, p = map.point(end);
+      const LatticePoint p = map.point(end);
       const Arcs::Arc chain = chain_from(map, end, most);
       const bool is_long = chain.pieces.empty();
-      ends_.push_back({end, p, double(p.x) - start.x, double(p.y) - start.y, page_length(s),
-                       is_long ? Arcs::kAnyLength : chain.length, is_long ? kNone : chain.pieces.front()});
+      ends_.push_back({end, p, offset(tip(s, end ^ 1).p, p), page_length(s), is_long ? Arcs::kAnyLength : chain.length,
+                       is_long ? kNone : chain.pieces.front()});
       points.push_back({p.x, p.y});
     }
     tree_ = PointTree<2>(points);
@@ -108,17 +109,14 @@ class OpenEnds {
     return chain_from(map_, a.end).length < chain_from(map_, b.end).length;
   }
 
-  static double along(const OpenEnd& e, LatticePoint p) {
-    return e.dx * (double(p.x) - e.point.x) + e.dy * (double(p.y) - e.point.y);
-  }
-
   /// Whether the line goes on towards the point. A stroke shorter than the distance to it defines no direction.
   bool leads_to(const OpenEnd& e, LatticePoint p, double distance) const {
     if (distance <= kRoundedSteps) return true;
     const bool shows = distance >= gap_, far = distance >= kFarPartInGaps * gap_;
     if (e.length <= distance && !shows) return true;
     if (shows && e.line_length < (far ? kLongInFar : kLongInGaps) * distance) return false;
-    return along(e, p) >= (far ? kFarCosine : shows ? kStraightCosine : kLeastCosine) * e.length * distance;
+    const double cosine = far ? kFarCosine : shows ? kStraightCosine : kLeastCosine;
+    return glm::dot(e.along, offset(e.point, p)) >= cosine * e.length * distance;
   }
 
   /// Whether leads_to() is false for all points of the box. A line may lead only to points in a cone. Where thousands
@@ -128,10 +126,9 @@ class OpenEnds {
     constexpr double kRounding = 1;  // lattice steps
     for (const double side : {-1.0, 1.0}) {
       // The inner normal of a side of the cone, as long as the stroke.
-      const double nx = sine * e.dx - side * kLeastCosine * e.dy, ny = sine * e.dy + side * kLeastCosine * e.dx;
-      const double x = (nx > 0 ? box.high[0] : box.low[0]) - double(e.point.x);
-      const double y = (ny > 0 ? box.high[1] : box.low[1]) - double(e.point.y);
-      if (nx * x + ny * y < -kRounding * e.length) return true;
+      const Point2 n = sine * e.along + side * kLeastCosine * Point2(-e.along.y, e.along.x);
+      const Point2 corner(n.x > 0 ? box.high[0] : box.low[0], n.y > 0 ? box.high[1] : box.low[1]);
+      if (glm::dot(n, corner - Point2(e.point.x, e.point.y)) < -kRounding * e.length) return true;
     }
     return false;
   }
@@ -213,7 +210,7 @@ class OutlineGaps {
   /// Whether the way from an end to another one turns back beside the line of the first.
   bool turns_back(std::uint32_t end, std::uint32_t other) const {
     const LatticePoint start = map_.point(end ^ 1), p = map_.point(end), q = map_.point(other);
-    const Point2 along{double(p.x) - start.x, double(p.y) - start.y}, ahead{double(q.x) - p.x, double(q.y) - p.y};
+    const Point2 along = offset(start, p), ahead = offset(p, q);
     return glm::dot(along, ahead) < kLeastBridgeCosine * glm::length(along) * glm::length(ahead);
   }
 

@@ -32,7 +32,7 @@ struct Side {
 
 /// Unit vector at right angles to from-to; zero for a point.
 Point2 across(LatticePoint from, LatticePoint to) {
-  const Point2 d{double(to.x) - from.x, double(to.y) - from.y};
+  const Point2 d = offset(from, to);
   const double size = std::hypot(d.x, d.y);
   return size > 0 ? Point2{-d.y / size, d.x / size} : Point2{0, 0};
 }
@@ -98,15 +98,14 @@ class Sides {
     const LatticePoint p0 = projected_.vertices[edge.v0].p, p1 = projected_.vertices[edge.v1].p;
     const auto at = [&](double t) {
       const double u = std::clamp((t - part[0]) / (part[1] - part[0]), 0.0, 1.0);
-      return moved(p0, {u * (double(p1.x) - p0.x), u * (double(p1.y) - p0.y)});
+      return moved(p0, u * offset(p0, p1));
     };
     const std::array close{at(stroke.t_from), at(stroke.t_to)};
     // That line lies beside the segment on the mesh. The curve that is drawn may lie beyond both.
     const std::array<Point3, 2>& ends = model_.intersections[stroke.source - model_.edge_count].ends;
     const LatticePoint m0 = on_page(ends[0]), m1 = on_page(ends[1]);
     Point2 out = across(m0, m1);
-    const Point2 towards{(double(p0.x) + p1.x) - (double(m0.x) + m1.x), (double(p0.y) + p1.y) - (double(m0.y) + m1.y)};
-    if (out.x * towards.x + out.y * towards.y < 0) out = -1.0 * out;
+    if (glm::dot(out, offset(m0, p0) + offset(m1, p1)) < 0) out = -1.0 * out;
     return Side{close, {moved(close[0], gap_ * out), moved(close[1], gap_ * out)}};
   }
 
@@ -141,9 +140,8 @@ class Sides {
 
 /// Distance between the middle of a stroke and the middle of the line close beside it.
 double distance_mm(const StrokeModel& model, const Stroke& stroke, const Side& side) {
-  const double x = (double(side.close[0].x) + side.close[1].x - stroke.from.x - stroke.to.x) / 2;
-  const double y = (double(side.close[0].y) + side.close[1].y - stroke.from.y - stroke.to.y) / 2;
-  return std::hypot(x, y) * model.lattice.step_mm;
+  const Point2 twice = offset(stroke.from, side.close[0]) + offset(stroke.to, side.close[1]);
+  return std::hypot(twice.x / 2, twice.y / 2) * model.lattice.step_mm;
 }
 
 /// Adds the part of a stretch on which the visible facet lies more than `least_mm` behind the stroke.
