@@ -109,50 +109,26 @@ void LineMap::find_contacts() {
     meetings.push_back(*nearest[i]);
   }
   std::ranges::sort(meetings, {}, [](const Meeting& m) { return std::tuple(m.piece, m.fraction, m.contact); });
-  std::vector<StrokeCut> cuts;
-  for (std::size_t first = 0, last = 0; first < meetings.size(); first = last) {
-    const std::uint32_t piece = meetings[first].piece;
-    const Stroke whole = pieces_[piece].stroke;
-    const std::uint32_t first_node = nodes_.of(2 * piece), last_node = nodes_.of(2 * piece + 1), new_piece = piece_count();
-    cuts.clear();
-    std::vector<std::uint32_t> nodes;  // by meeting; the node of a cut has the number of the first end behind it
-    for (last = first; last < meetings.size() && meetings[last].piece == piece; ++last) {
-      const auto& [of, fraction, distance, contact, place] = meetings[last];
-      const bool is_inside = place != whole.from && place != whole.to;
-      if (is_inside && (cuts.empty() || cuts.back().p != place)) cuts.push_back({fraction, place});
-      const auto behind = static_cast<std::uint32_t>(2 * (new_piece + cuts.size() - 1));
-      nodes.push_back(is_inside ? behind : place == whole.from ? first_node : last_node);
+  std::uint32_t piece = kNone, rest = kNone;  // the rest of the piece lies behind its last cut
+  double cut = 0;                             // the fraction of the piece at which the rest begins
+  for (const Meeting& m : meetings) {
+    if (std::exchange(piece, m.piece) != m.piece) rest = piece, cut = 0;
+    if (m.place != point(2 * rest) && m.place != point(2 * rest + 1)) {
+      rest = cut_at(rest, {(m.fraction - cut) / (1 - cut), m.place});
+      cut = m.fraction;
     }
-    cut(piece, cuts);
-    for (std::size_t m = first; m < last; ++m) {
-      contacts_[meetings[m].contact].other = nodes[m - first];
-    }
+    contacts_[m.contact].other = nodes_.of(m.place == point(2 * rest) ? 2 * rest : 2 * rest + 1);
   }
-}
-
-/// Cuts a piece into parts. The first part keeps the number of the piece; the others are new pieces. Between two parts
-/// is a new node, with the number of the end behind it.
-void LineMap::cut(std::uint32_t piece, std::span<const StrokeCut> cuts) {
-  if (cuts.empty()) return;
-  const Stroke whole = pieces_[piece].stroke;
-  const std::uint32_t far_node = nodes_.of(2 * piece + 1), next = pieces_[piece].next;
-  pieces_[piece].stroke = stroke_piece(whole, {0, whole.from}, cuts[0]);
-  std::uint32_t before = piece;
-  for (std::size_t c = 0; c < cuts.size(); ++c) {
-    const bool is_last = c + 1 == cuts.size();
-    const std::uint32_t p =
-        new_piece(stroke_piece(whole, cuts[c], is_last ? StrokeCut{1, whole.to} : cuts[c + 1]), pieces_[piece].of);
-    pieces_[before].next = p;
-    move_end(2 * before + 1, nodes_.of(2 * p));
-    before = p;
-  }
-  pieces_[before].next = next;
-  move_end(2 * before + 1, far_node);
 }
 
 std::uint32_t LineMap::cut_at(std::uint32_t piece, const StrokeCut& place) {
-  cut(piece, {&place, 1});
-  return pieces_[piece].next;
+  const Stroke whole = pieces_[piece].stroke;
+  const std::uint32_t behind = new_piece(stroke_piece(whole, place, {1, whole.to}), pieces_[piece].of);
+  pieces_[piece].stroke = stroke_piece(whole, {0, whole.from}, place);
+  pieces_[behind].next = std::exchange(pieces_[piece].next, behind);
+  move_end(2 * behind + 1, nodes_.of(2 * piece + 1));
+  move_end(2 * piece + 1, nodes_.of(2 * behind));
+  return behind;
 }
 
 void LineMap::remove(std::uint32_t piece) {
@@ -169,9 +145,8 @@ void LineMap::add(Stroke stroke, std::uint32_t from_end, std::uint32_t to_end, c
   stroke.is_joint = true;
   const std::uint32_t p = new_piece(stroke, static_cast<std::uint32_t>(model_.strokes.size()));
   model_.strokes.push_back(stroke);
-  for (const auto& [own, to] : {std::pair(2 * p, from_end), std::pair(2 * p + 1, to_end)}) {
-    if (to != kNone) move_end(own, nodes_.of(to));
-  }
+  move_end(2 * p, nodes_.of(from_end));
+  if (to_end != kNone) move_end(2 * p + 1, nodes_.of(to_end));
 }
 
 /// Writes adjacent removed parts of a stroke as one hidden stroke, and adjacent remaining parts as one visible stroke.

@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "geometry/search/line_cells.hpp"
@@ -93,10 +92,11 @@ class LineMap {
 
   /// Removes a piece from the map.
   void remove(std::uint32_t piece);
-  /// Cuts a piece inside. The part before the cut keeps the number of the piece. Returns the part behind it.
+  /// Cuts a piece inside. The part before the cut keeps the number of the piece. Returns the part behind it; the new node
+  /// has the number of its first end.
   std::uint32_t cut_at(std::uint32_t piece, const StrokeCut& place);
   void set_class(std::uint32_t piece, LineClass line_class) { pieces_[piece].stroke.line_class = line_class; }
-  /// Adds a stroke from the node of `from_end` to that of `to_end`. An end that is kNone gets a node of its own.
+  /// Adds a stroke from the node of `from_end` to that of `to_end`. If that is kNone, the stroke ends at a new node.
   void add(Stroke stroke, std::uint32_t from_end, std::uint32_t to_end, const MakeSource& make_source);
 
   /// Writes the map back to the model. Removed pieces become hidden strokes, or are left out if the model had none.
@@ -117,7 +117,6 @@ class LineMap {
   void file_pieces();
   void find_contacts();
   std::optional<Meeting> nearest_line(std::uint32_t end);
-  void cut(std::uint32_t piece, std::span<const StrokeCut> cuts);
   void write_stroke(std::uint32_t first_piece, std::vector<Stroke>& out) const;
   void clear_hidden(std::vector<Stroke>& strokes, double ink) const;
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
 #include "base/hash.hpp"
+#include "base/indices_where.hpp"
 #include "base/parallel_counting_sort.hpp"
 
 namespace ligne {
@@ -69,11 +69,7 @@ Nodes::Nodes(const std::vector<Stroke>& strokes, std::span<const std::uint32_t> 
 }
 
 Nodes::Nodes(const std::vector<Stroke>& strokes)
-    : Nodes(strokes, [&] {
-        std::vector<std::uint32_t> all(strokes.size());
-        std::iota(all.begin(), all.end(), 0u);
-        return all;
-      }()) {}
+    : Nodes(strokes, indices_where(strokes.size(), [](std::size_t) { return true; })) {}
 
 void Nodes::add() {
   const std::uint32_t end = end_count();
