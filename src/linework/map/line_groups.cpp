@@ -121,15 +121,9 @@ std::uint32_t Arcs::next(std::uint32_t end) const {
   return *std::ranges::find_if(ends_at(junction), [&](std::uint32_t e) { return has(e / 2) && e != end; });
 }
 
-template <class IsContinued>
-Arcs::Arc Arcs::arc_of(std::span<const std::uint32_t> ends, const IsContinued& continued) const {
+Arcs::Arc Arcs::arc_of(std::span<const std::uint32_t> ends, bool is_ring) const {
   Arc arc = line_of(map_, ends);
-  arc.junctions.reserve(2);
-  for (const std::uint32_t p : arc.pieces) {
-    for (const std::uint32_t end : {2 * p, 2 * p + 1}) {
-      if (!continued(end)) arc.junctions.push_back(junction_of_[end]);
-    }
-  }
+  if (!is_ring) arc.junctions = {junction_of_[ends.front()], junction_of_[ends.back() ^ 1]};
   return arc;
 }
 
@@ -139,16 +133,15 @@ std::vector<Arcs::Arc> Arcs::find() const {
     if (has(end / 2)) partner[end] = next(end);
   }
   std::vector<Arc> found;
-  for_each_line(partner, LineOrder::strokes, [&](std::span<const std::uint32_t> ends, bool) {
-    if (has(ends.front() / 2)) found.push_back(arc_of(ends, [&](std::uint32_t end) { return partner[end] != kNone; }));
+  for_each_line(partner, LineOrder::strokes, [&](std::span<const std::uint32_t> ends, bool is_ring) {
+    if (has(ends.front() / 2)) found.push_back(arc_of(ends, is_ring));
   });
   return found;
 }
 
 Arcs::Arc Arcs::from(std::uint32_t end, double most) const {
   const std::vector<std::uint32_t> ends = ends_from(map_, end, most, [&](std::uint32_t e) { return next(e); });
-  if (ends.empty()) return {};
-  return arc_of(ends, [&](std::uint32_t e) { return e != ends.front() && e != (ends.back() ^ 1); });
+  return ends.empty() ? Arc{} : arc_of(ends, false);
 }
 
 void Arcs::take_away(const Arc& arc) {

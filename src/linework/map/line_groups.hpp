@@ -54,6 +54,8 @@ class Arcs {
   /// The number of remaining pieces at a junction.
   std::uint32_t degree(std::uint32_t junction) const { return degree_[junction]; }
   bool has(std::uint32_t piece) const { return is_left_[piece] != 0; }
+  /// Whether an end of a remaining piece is the only one at its junction.
+  bool is_free(std::uint32_t end) const { return has(end / 2) && degree(junction_of(end)) == 1; }
   /// All ends that belonged to the junction originally, ascending.
   std::span<const std::uint32_t> ends_at(std::uint32_t junction) const {
     return {at_junction_.data() + first_at_[junction], at_junction_.data() + first_at_[junction + 1]};
@@ -67,9 +69,7 @@ class Arcs {
   void take_away(const Arc& arc);
 
  private:
-  /// `continued`: whether another piece of the arc continues an end.
-  template <class IsContinued>
-  Arc arc_of(std::span<const std::uint32_t> ends, const IsContinued& continued) const;
+  Arc arc_of(std::span<const std::uint32_t> ends, bool is_ring) const;
 
   const LineMap& map_;
   std::vector<std::uint32_t> junction_of_;             ///< by end

@@ -27,16 +27,12 @@ class OvershootFinder {
       : map_(map),
         longest_(limits.longest_mm / map.step_mm()),
         touching_(limits.touching_mm / map.step_mm()),
-        is_met_(map.nodes().end_count(), 0) {
-    for (const Contact& contact : map.contacts()) {
-      if (map.holds(contact) && contact.distance <= touching_) is_met_[contact.node] = is_met_[contact.other] = 1;
-    }
-  }
+        arcs_(map, touching_) {}
 
   std::vector<Overshoot> find() {
     std::vector<Overshoot> found;
     for (std::uint32_t end = 0; end < 2 * map_.piece_count(); ++end) {
-      if (!map_.is_alive(end / 2) || !is_feature(map_.piece(end / 2)) || !map_.is_free(end) || is_met(end)) continue;
+      if (!is_feature(map_.piece(end / 2)) || !arcs_.is_free(end)) continue;
       if (std::optional<Overshoot> overshoot = behind_crossing(end)) found.push_back(std::move(*overshoot));
     }
     const auto key = [&](const Overshoot& o) { return std::tuple(o.length, map_.point(o.end), o.place.p); };
@@ -45,16 +41,12 @@ class OvershootFinder {
   }
 
  private:
-  /// Whether another line ends at an end.
-  bool is_met(std::uint32_t end) const { return is_met_[map_.nodes().of(end)] != 0; }
-  std::uint32_t next(std::uint32_t end) const { return is_met(end) ? kNone : map_.next(end); }
-
   std::optional<Overshoot> behind_crossing(std::uint32_t end) {
     const Arcs::Arc chain = chain_from(map_, end, 2 * longest_);
     const double longest = chain.pieces.empty() ? longest_ : std::min(longest_, chain.length / 2);
     Overshoot found{end, {}, end, {}, 0};
     std::uint32_t crossed = kNone;
-    for (double passed = 0; found.last != kNone && passed < longest; found.last = next(found.last ^ 1)) {
+    for (double passed = 0; found.last != kNone && passed < longest; found.last = arcs_.next(found.last ^ 1)) {
       const Stroke& s = map_.piece(found.last / 2);
       found.length = longest;
       map_.near(s.from, s.to, 0, [&](std::uint32_t other) {
@@ -95,7 +87,7 @@ class OvershootFinder {
 
   LineMap& map_;
   double longest_, touching_;
-  std::vector<std::uint8_t> is_met_;  ///< by node: 1 where another line ends
+  Arcs arcs_;
 };
 
 }  // namespace

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <set>
@@ -27,8 +26,6 @@ constexpr double kDirectionInReaches = 0.25;
 constexpr double kNearPart = 0.5;
 /// Sine and cosine of the largest turn of a line that meets no line straight ahead: 20 degrees. Taste.
 constexpr double kTurnSine = 0.342, kTurnCosine = 0.94;
-
-Point2 between(LatticePoint from, LatticePoint to) { return {double(to.x) - from.x, double(to.y) - from.y}; }
 
 /// A free end and the possible extensions of its line.
 struct Undershoot {
@@ -62,7 +59,7 @@ void turn_to(Undershoot& end, Point2 start, Point2 u) {
 
 /// Updates both extensions of the line that ends at `p` with the stroke.
 void lead_to(Undershoot& end, LatticePoint p, const Stroke& s) {
-  const Point2 u = between(s.from, s.to), start = between(p, s.from);
+  const Point2 u = offset(s.from, s.to), start = offset(p, s.from);
   const double area = cross(end.ahead, u);
   if (area != 0) {
     const double extension = cross(start, u) / area, along = cross(start, end.ahead) / area;
@@ -83,13 +80,12 @@ class UndershootFinder {
 
   /// Returns the point to which the line at a free end is extended, if there is one.
   std::optional<LatticePoint> target_of(std::uint32_t end) {
-    const std::uint32_t piece = end / 2;
-    if (!arcs_.has(piece) || !is_feature(map_.piece(piece)) || arcs_.degree(arcs_.junction_of(end)) != 1) return {};
+    if (!is_feature(map_.piece(end / 2)) || !arcs_.is_free(end)) return {};
     const Arcs::Arc own = arcs_.from(end);
     const double longest = std::min(reach_, own.length / kLongInWays);
     Undershoot shoot{.ahead = longest * direction(end),
                      .near = std::min(1.0, kNearPart * reach_ / longest),
-                     .turns_far = map_.piece(piece).line_class != LineClass::tangent};
+                     .turns_far = map_.piece(end / 2).line_class != LineClass::tangent};
     const LatticePoint p = map_.point(end);
     map_.near(p, moved(p, shoot.ahead), touching_ + kTurnSine * reach_, [&](std::uint32_t other) {
       const bool leads = arcs_.has(other) && is_feature(map_.piece(other)) && !std::ranges::binary_search(own.pieces, other);
@@ -111,7 +107,7 @@ class UndershootFinder {
       back = map_.point(end ^ 1);
       left -= page_length(map_.piece(end / 2));
     }
-    return back == tip ? Point2(0) : between(back, tip) / length(back, tip);
+    return back == tip ? Point2(0) : offset(back, tip) / length(back, tip);
   }
 
   LineMap& map_;
