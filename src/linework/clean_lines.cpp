@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "linework/stroke_geometry.hpp"
-
 namespace ligne {
 namespace {
 
@@ -102,8 +100,7 @@ void apply_rules(LineMap& map, const CleanOptions& o, bool has_closed_gaps, cons
     report("ends led to the line before them", extend_undershoots(map, undershoots, o.make_source));
   }
   if (o.is_outline) {
-    const GapLimits missing{gap_mm(o), kFarInGaps * gap_mm(o), ink_mm};
-    report("gaps of outlines closed", close_outlines(map, missing, o.is_outline, o.make_source));
+    report("gaps of outlines closed", close_outlines(map, gaps, o.is_outline, o.make_source));
   }
 }
 

@@ -25,7 +25,7 @@ class DanglePruner {
         limits_(limits),
         beside_(limits.beside_mm / map.step_mm()),
         body_(bodies_of(map, body_of)),
-        extents_(body_extents(map, body_)) {
+        longest_(longest_of_bodies(map, body_, limits.longest_mm, limits.body_part, limits.factors)) {
     for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
       if (map.piece(p).line_class != LineClass::outline) body_[p] = kNone;
     }
@@ -51,9 +51,7 @@ class DanglePruner {
  private:
   /// The arcs between junctions that are short enough for dangles.
   std::vector<Arcs::Arc> short_arcs() const {
-    double longest = 0;
-    for (std::uint32_t body = 0; body < extents_.size(); ++body)
-      longest = std::max(longest, longest_of(limits_, body, extents_[body], map_.step_mm()));
+    const double longest = longest_.empty() ? 0 : std::ranges::max(longest_);
     std::vector<Arcs::Arc> found;
     for (std::uint32_t end = 0; end < 2 * map_.piece_count(); ++end) {
       // Such an arc ends where one piece ends or more than two do. It is found from both of its ends.
@@ -70,28 +68,21 @@ class DanglePruner {
     if (!std::ranges::all_of(arc.pieces, [&](std::uint32_t p) { return body_[p] == body; })) return false;
     // Keeps an arc that only joins lines: the end that it joined would be joined again.
     if (std::ranges::all_of(arc.pieces, [&](std::uint32_t p) { return map_.piece(p).is_joint; })) return false;
-    const double longest = longest_of(limits_, body, extents_[body], map_.step_mm());
-    if (arc.length > limits_.beside_times * longest || has_more_sources(arc)) return false;
+    if (arc.length > limits_.beside_times * longest_[body] || has_more_sources(arc)) return false;
     const auto [fewer, more] = std::minmax({arcs_.degree(arc.junctions[0]), arcs_.degree(arc.junctions[1])});
     // Such a junction of two arcs was one of three before a dangle was removed, so this arc is now part of a longer
     // line.
     if (fewer == 2 || more == 2) return false;
-    if (arc.length <= longest && fewer == 1 && more > 2) return true;
+    if (arc.length <= longest_[body] && fewer == 1 && more > 2) return true;
     return std::ranges::all_of(arc.pieces, [&](std::uint32_t p) { return runs_beside(p, arc); }) &&
            (fewer == 1 || has_detour(arc));
   }
 
   /// Whether an arc consists of more edges than a dangle may.
   bool has_more_sources(const Arcs::Arc& arc) const {
-    if (limits_.most_sources == kAnySources) return false;
     std::vector<std::uint32_t> sources;
-    for (const std::uint32_t p : arc.pieces) {
-      const std::uint32_t source = map_.piece(p).source;
-      if (std::ranges::find(sources, source) != sources.end()) continue;
-      if (sources.size() == limits_.most_sources) return true;
-      sources.push_back(source);
-    }
-    return false;
+    for (const std::uint32_t p : arc.pieces) add_source(sources, map_.piece(p).source, limits_.most_sources);
+    return sources.size() > limits_.most_sources;
   }
 
   static bool has(const Arcs::Arc& arc, std::uint32_t piece) { return std::ranges::binary_search(arc.pieces, piece); }
@@ -134,7 +125,7 @@ class DanglePruner {
   DangleLimits limits_;
   double beside_;
   std::vector<std::uint32_t> body_;  ///< by piece; kNone except for outlines
-  std::vector<double> extents_;      ///< by body
+  std::vector<double> longest_;      ///< by body: longest dangle, lattice steps
 };
 
 }  // namespace

@@ -51,7 +51,8 @@ std::vector<std::uint32_t> bodies_of(const LineMap& map, const BodyOf& body_of) 
   return bodies;
 }
 
-std::vector<double> body_extents(const LineMap& map, std::span<const std::uint32_t> bodies) {
+std::vector<double> longest_of_bodies(const LineMap& map, std::span<const std::uint32_t> bodies, double longest_mm,
+                                      double body_part, std::span<const double> factors) {
   std::vector<Rect> extents;
   for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
     const std::uint32_t body = bodies[p];
@@ -59,10 +60,12 @@ std::vector<double> body_extents(const LineMap& map, std::span<const std::uint32
     if (body >= extents.size()) extents.resize(body + 1);
     for (const LatticePoint end : {map.piece(p).from, map.piece(p).to}) extents[body].extend({end.x, end.y});
   }
-  std::vector<double> diagonals;
-  diagonals.reserve(extents.size());
-  for (const Rect& box : extents) diagonals.push_back(diagonal(box));
-  return diagonals;
+  std::vector<double> longest(extents.size());
+  for (std::size_t b = 0; b < extents.size(); ++b) {
+    const double part = factors.empty() ? body_part : factors[b] * body_part;
+    longest[b] = std::min(longest_mm / map.step_mm(), part * diagonal(extents[b]));
+  }
+  return longest;
 }
 
 std::size_t remove_isolated_chains(LineMap& map, const BodyOf& body_of, const IsolatedLimits& limits) {
@@ -90,16 +93,13 @@ std::size_t remove_isolated_chains(LineMap& map, const BodyOf& body_of, const Is
   // How many times as large a cluster may be whose points lie on one line.
   const auto times_of = [&](const Cluster& cluster) { return cluster.has_ring ? kRingTimes : limits.straight_times; };
   const std::vector<std::uint32_t> bodies = bodies_of(map, body_of);
-  const std::vector<double> extents = body_extents(map, bodies);
+  const auto longest = longest_of_bodies(map, bodies, limits.longest_mm, limits.body_part, limits.factors);
   for (std::uint32_t p = 0; p < map.piece_count(); ++p) {
     if (!map.is_alive(p)) continue;
     Cluster& cluster = cluster_at(nodes.of(2 * p));
     const std::uint32_t body = is_feature(map.piece(p)) ? bodies[p] : kNone;
-    const double longest = body == kNone ? 0 : longest_of(limits, body, extents[body], map.step_mm());
-    cluster.longest = std::min(cluster.longest, longest);
-    if (limits.most_sources != kAnySources && cluster.sources.size() <= limits.most_sources &&
-        std::ranges::find(cluster.sources, map.piece(p).source) == cluster.sources.end())
-      cluster.sources.push_back(map.piece(p).source);
+    cluster.longest = std::min(cluster.longest, body == kNone ? 0 : longest[body]);
+    add_source(cluster.sources, map.piece(p).source, limits.most_sources);
     for (const LatticePoint end : {map.piece(p).from, map.piece(p).to}) {
       cluster.box.extend({end.x, end.y});
       if (times_of(cluster) > 1 && diagonal(cluster.box) <= times_of(cluster) * cluster.longest)

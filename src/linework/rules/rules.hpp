@@ -11,7 +11,6 @@
 #include <span>
 #include <vector>
 
-#include "base/no_index.hpp"
 #include "linework/map/line_map.hpp"
 
 namespace ligne {
@@ -109,17 +108,18 @@ std::size_t cut_overshoots(LineMap& map, const EndLimits& limits);
 /// number of points moved. O(n).
 std::size_t smooth_lines(StrokeModel& model, const std::function<bool(const Stroke&)>& is_rough);
 
-/// Longest line of a body that a rule with such limits removes, in lattice steps. `extent`: of the lines of the body.
-template <class Limits>
-double longest_of(const Limits& limits, std::uint32_t body, double extent, double step_mm) {
-  const double factor = limits.factors.empty() ? 1 : limits.factors[body];
-  return std::min(limits.longest_mm / step_mm, factor * limits.body_part * extent);
+/// Adds an edge to those of a line if their number is limited. No more than one more than `most` are kept.
+inline void add_source(std::vector<std::uint32_t>& sources, std::uint32_t source, std::size_t most) {
+  if (most == kAnySources || sources.size() > most) return;
+  if (std::ranges::find(sources, source) == sources.end()) sources.push_back(source);
 }
 
 /// The body of each piece; kNone for removed pieces and those that `body_of` ignores. Runs in parallel.
 std::vector<std::uint32_t> bodies_of(const LineMap& map, const BodyOf& body_of);
 
-/// Diagonals of the bounding boxes of the pieces of each body, in lattice steps. `bodies`: by piece.
-std::vector<double> body_extents(const LineMap& map, std::span<const std::uint32_t> bodies);
+/// Longest line of each body that a rule removes, in lattice steps. `body_part` is a part of the diagonal of the bounding
+/// box of its pieces, `factors` as in the limits of rules, `bodies` by piece.
+std::vector<double> longest_of_bodies(const LineMap& map, std::span<const std::uint32_t> bodies, double longest_mm,
+                                      double body_part, std::span<const double> factors);
 
 }  // namespace ligne
