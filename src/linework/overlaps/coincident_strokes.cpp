@@ -51,14 +51,28 @@ CoveredPart covered_by(const Stroke& other, double from, double other_from, doub
   return part;
 }
 
+/// Resolves pairs of overlapping strokes, ascending, where strokes are numbered by falling precedence.
 class PairResolver {
  public:
   PairResolver(const std::vector<Stroke>& strokes, const OverlapTolerance& tolerance)
       : strokes_(strokes), tolerance_(tolerance), left_(strokes.size()) {}
 
-  /// Decides a stroke. `pairs` are those in which it is the later one; the others in them have been decided.
-  void decide(std::uint32_t number, std::span<const StrokePair> pairs);
-  std::vector<Stroke>& left_of(std::uint32_t number) { return left_[number]; }
+  /// Returns what stays of the strokes in pairs, ascending. It may overlap other strokes only where a cut has made new ends.
+  std::vector<CutStroke> resolve(std::span<const StrokePair> pairs) {
+    std::vector<std::uint8_t> is_in_pair(strokes_.size(), 0);
+    for (const StrokePair& pair : pairs) is_in_pair[pair.later] = is_in_pair[pair.earlier] = 1;
+    const std::vector<std::uint32_t> in_pairs = indices_of_marks(is_in_pair);
+    auto first = pairs.begin();
+    for (const std::uint32_t i : in_pairs) {
+      const auto last = std::find_if(first, pairs.end(), [&](const StrokePair& pair) { return pair.later != i; });
+      decide(i, {first, last});
+      first = last;
+    }
+    std::vector<CutStroke> cut;
+    cut.reserve(in_pairs.size());
+    for (const std::uint32_t i : in_pairs) cut.push_back({i, std::move(left_[i])});
+    return cut;
+  }
 
  private:
   /// A piece that stays of an earlier stroke.
@@ -66,87 +80,64 @@ class PairResolver {
     std::uint32_t stroke, piece;
   };
 
-  std::pair<std::uint32_t, std::uint32_t> pieces_beside(const Stroke& stroke, std::uint32_t other) const;
-  void cut_beaten(const std::vector<Hit>& beaten, const std::vector<Stroke>& rests);
+  /// Decides a stroke. `pairs` are those in which it is the later one; the others in them have been decided.
+  void decide(std::uint32_t number, std::span<const StrokePair> pairs) {
+    const Stroke& stroke = strokes_[number];
+    std::vector<CoveredPart> covered;
+    std::vector<Hit> beaten;
+    for (const StrokePair& pair : pairs) {
+      const std::vector<Stroke>& pieces = left_[pair.earlier];
+      const auto [first, last] = pieces_beside(stroke, pair.earlier);
+      for (std::uint32_t k = first; k < last; ++k) {
+        const auto common = overlap(stroke.from, stroke.to, pieces[k].from, pieces[k].to, tolerance_.steps);
+        if (!common) continue;
+        if (precedes(stroke, pieces[k], *common, tolerance_.mm)) {
+          beaten.push_back({pair.earlier, k});
+        } else {
+          covered.push_back(covered_by(pieces[k], common->a_from, common->b_from, common->a_to, common->b_to));
+        }
+      }
+    }
+    left_[number] = rests_of(stroke, covered, tolerance_.steps);
+    cut_beaten(beaten, left_[number]);
+  }
+
+  /// The range of the pieces of another stroke beside a stroke. Pieces follow each other along their stroke.
+  std::pair<std::uint32_t, std::uint32_t> pieces_beside(const Stroke& stroke, std::uint32_t other) const {
+    const std::vector<Stroke>& pieces = left_[other];
+    const Stroke& whole = strokes_[other];
+    const auto along = [&](LatticePoint p) { return glm::dot(offset(whole.from, whole.to), offset(whole.from, p)); };
+    const double slack = 2 * tolerance_.steps * page_length(whole);
+    const auto range = std::minmax({along(stroke.from), along(stroke.to)});
+    const auto is_before = [&](const Stroke& piece) { return along(piece.to) < range.first - slack; };
+    const auto begins_before_end = [&](const Stroke& piece) { return along(piece.from) <= range.second + slack; };
+    const auto first = std::partition_point(pieces.begin(), pieces.end(), is_before);
+    const auto last = std::partition_point(first, pieces.end(), begins_before_end);
+    return {static_cast<std::uint32_t>(first - pieces.begin()), static_cast<std::uint32_t>(last - pieces.begin())};
+  }
+
+  /// Cuts the pieces that a stroke precedes, by what stays of it.
+  void cut_beaten(const std::vector<Hit>& beaten, const std::vector<Stroke>& rests) {
+    // From the last piece of a stroke to the first, so that the others keep their places.
+    for (auto hit = beaten.rbegin(); hit != beaten.rend(); ++hit) {
+      std::vector<Stroke>& pieces = left_[hit->stroke];
+      const Stroke piece = pieces[hit->piece];
+      std::vector<CoveredPart> covered;
+      for (const Stroke& rest : rests) {
+        const auto common = overlap(rest.from, rest.to, piece.from, piece.to, tolerance_.steps);
+        if (common) covered.push_back(covered_by(rest, common->b_from, common->a_from, common->b_to, common->a_to));
+      }
+      if (covered.empty()) continue;
+      const std::vector<Stroke> left = rests_of(piece, covered, tolerance_.steps);
+      const auto place = pieces.erase(pieces.begin() + hit->piece);
+      pieces.insert(place, left.begin(), left.end());
+    }
+  }
 
   const std::vector<Stroke>& strokes_;
   OverlapTolerance tolerance_;
   std::vector<std::vector<Stroke>> left_;  ///< what stays of each stroke that was decided
 };
-
-/// The range of the pieces of another stroke beside a stroke. Pieces follow each other along their stroke.
-std::pair<std::uint32_t, std::uint32_t> PairResolver::pieces_beside(const Stroke& stroke, std::uint32_t other) const {
-  const std::vector<Stroke>& pieces = left_[other];
-  const Stroke& whole = strokes_[other];
-  const double dx = double(whole.to.x) - whole.from.x, dy = double(whole.to.y) - whole.from.y;
-  const auto along = [&](LatticePoint p) { return dx * (double(p.x) - whole.from.x) + dy * (double(p.y) - whole.from.y); };
-  const double slack = 2 * tolerance_.steps * page_length(whole);
-  const double low = std::min(along(stroke.from), along(stroke.to)) - slack;
-  const double high = std::max(along(stroke.from), along(stroke.to)) + slack;
-  const auto first =
-      std::partition_point(pieces.begin(), pieces.end(), [&](const Stroke& piece) { return along(piece.to) < low; });
-  const auto last =
-      std::partition_point(first, pieces.end(), [&](const Stroke& piece) { return along(piece.from) <= high; });
-  return {static_cast<std::uint32_t>(first - pieces.begin()), static_cast<std::uint32_t>(last - pieces.begin())};
-}
-
-void PairResolver::decide(std::uint32_t number, std::span<const StrokePair> pairs) {
-  const Stroke& stroke = strokes_[number];
-  std::vector<CoveredPart> covered;
-  std::vector<Hit> beaten;
-  for (const StrokePair& pair : pairs) {
-    const std::vector<Stroke>& pieces = left_[pair.earlier];
-    const auto [first, last] = pieces_beside(stroke, pair.earlier);
-    for (std::uint32_t k = first; k < last; ++k) {
-      const auto common = overlap(stroke.from, stroke.to, pieces[k].from, pieces[k].to, tolerance_.steps);
-      if (!common) continue;
-      if (precedes(stroke, pieces[k], *common, tolerance_.mm)) {
-        beaten.push_back({pair.earlier, k});
-      } else {
-        covered.push_back(covered_by(pieces[k], common->a_from, common->b_from, common->a_to, common->b_to));
-      }
-    }
-  }
-  left_[number] = rests_of(stroke, covered, tolerance_.steps);
-  cut_beaten(beaten, left_[number]);
-}
-
-/// Cuts the pieces that a stroke precedes, by what stays of it.
-void PairResolver::cut_beaten(const std::vector<Hit>& beaten, const std::vector<Stroke>& rests) {
-  // From the last piece of a stroke to the first, so that the others keep their places.
-  for (auto hit = beaten.rbegin(); hit != beaten.rend(); ++hit) {
-    std::vector<Stroke>& pieces = left_[hit->stroke];
-    const Stroke piece = pieces[hit->piece];
-    std::vector<CoveredPart> covered;
-    for (const Stroke& rest : rests) {
-      const auto common = overlap(rest.from, rest.to, piece.from, piece.to, tolerance_.steps);
-      if (common) covered.push_back(covered_by(rest, common->b_from, common->a_from, common->b_to, common->a_to));
-    }
-    if (covered.empty()) continue;
-    const std::vector<Stroke> left = rests_of(piece, covered, tolerance_.steps);
-    const auto place = pieces.erase(pieces.begin() + hit->piece);
-    pieces.insert(place, left.begin(), left.end());
-  }
-}
-
-/// Resolves pairs of overlapping strokes, ascending, where strokes are numbered by falling precedence. Returns what stays of
-/// the strokes in pairs, ascending. It may overlap other strokes only where a cut has made new ends.
-std::vector<CutStroke> resolve_pairs(const std::vector<Stroke>& strokes, std::span<const StrokePair> pairs,
-                                     const OverlapTolerance& tolerance) {
-  std::vector<std::uint8_t> is_in_pair(strokes.size(), 0);
-  for (const StrokePair& pair : pairs) is_in_pair[pair.later] = is_in_pair[pair.earlier] = 1;
-  PairResolver resolver(strokes, tolerance);
-  std::size_t first = 0, last = 0;
-  for (std::uint32_t i = 0; i < strokes.size(); ++i, first = last) {
-    while (last < pairs.size() && pairs[last].later == i) ++last;
-    if (is_in_pair[i]) resolver.decide(i, pairs.subspan(first, last - first));
-  }
-  std::vector<CutStroke> cut;
-  for (std::uint32_t i = 0; i < strokes.size(); ++i) {
-    if (is_in_pair[i]) cut.push_back({i, std::move(resolver.left_of(i))});
-  }
-  return cut;
-}
 
 /// Whether strokes overlap so many others that comparing all of them at once would take most of the time. A sample tells.
 bool is_crowd(const std::vector<Stroke>& strokes, double tolerance_steps) {
@@ -167,7 +158,7 @@ void resolve_overlaps(ComparedStrokes& compared, const OverlapTolerance& toleran
   for (;;) {
     const std::vector<StrokePair> pairs = find_new_overlaps(compared, tolerance.steps);
     if (pairs.empty()) return;
-    compared.replace(resolve_pairs(compared.strokes, pairs, tolerance));
+    compared.replace(PairResolver(compared.strokes, tolerance).resolve(pairs));
   }
 }
 
@@ -236,11 +227,9 @@ void remove_coincident_strokes(StrokeModel& model, double tolerance_mm) {
   std::vector<Stroke> others;
   others.reserve(strokes.size());
   for (std::size_t i = 0, k = 0; i < strokes.size(); ++i) {
-    if (k < order.size() && order[k] == i) {
-      ++k;
-    } else {
-      others.push_back(strokes[i]);
-    }
+    const bool is_chosen = k < order.size() && order[k] == i;
+    k += is_chosen;
+    if (!is_chosen) others.push_back(strokes[i]);
   }
   sort_by_precedence(strokes, order, tolerance_mm);
   ComparedStrokes compared;

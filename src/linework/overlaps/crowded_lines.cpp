@@ -72,7 +72,30 @@ class CoveredLine {
   explicit CoveredLine(double slack) : slack_(slack) {}
 
   /// Adds the interval of the stroke. Returns the parts of the stroke that were covered before.
-  std::vector<CoveredPart> add(const Stroke& stroke, const PlacedStroke& placed);
+  std::vector<CoveredPart> add(const Stroke& stroke, const PlacedStroke& placed) {
+    const bool forward = placed.u_from <= placed.u_to;
+    double u_from = std::min(placed.u_from, placed.u_to);
+    Interval whole{std::max(placed.u_from, placed.u_to), forward ? stroke.from : stroke.to,
+                   forward ? stroke.to : stroke.from};
+    const double low = u_from, high = whole.to, extent = placed.u_to - placed.u_from;
+    auto next = covered_.upper_bound(low);
+    if (next != covered_.begin() && std::prev(next)->second.to + slack_ >= low) --next;
+    std::vector<CoveredPart> parts;
+    while (next != covered_.end() && next->first <= high + slack_) {
+      const double from = std::max(low, next->first), to = std::min(high, next->second.to);
+      if (to - from > slack_) {
+        CoveredPart part{{(from - placed.u_from) / extent, next->second.p_from},
+                         {(to - placed.u_from) / extent, next->second.p_to}};
+        if (!forward) std::swap(part.from, part.to);
+        parts.push_back(part);
+      }
+      if (next->first < u_from) u_from = next->first, whole.p_from = next->second.p_from;
+      if (next->second.to > whole.to) whole.to = next->second.to, whole.p_to = next->second.p_to;
+      next = covered_.erase(next);
+    }
+    covered_.emplace(u_from, whole);
+    return parts;
+  }
 
  private:
   struct Interval {
@@ -82,30 +105,6 @@ class CoveredLine {
   double slack_;                        ///< smaller gaps count as covered
   std::map<double, Interval> covered_;  ///< by where they begin; they do not touch
 };
-
-std::vector<CoveredPart> CoveredLine::add(const Stroke& stroke, const PlacedStroke& placed) {
-  const bool forward = placed.u_from <= placed.u_to;
-  double u_from = std::min(placed.u_from, placed.u_to);
-  Interval whole{std::max(placed.u_from, placed.u_to), forward ? stroke.from : stroke.to, forward ? stroke.to : stroke.from};
-  const double low = u_from, high = whole.to, extent = placed.u_to - placed.u_from;
-  auto next = covered_.upper_bound(low);
-  if (next != covered_.begin() && std::prev(next)->second.to + slack_ >= low) --next;
-  std::vector<CoveredPart> parts;
-  while (next != covered_.end() && next->first <= high + slack_) {
-    const double from = std::max(low, next->first), to = std::min(high, next->second.to);
-    if (to - from > slack_) {
-      CoveredPart part{{(from - placed.u_from) / extent, next->second.p_from},
-                       {(to - placed.u_from) / extent, next->second.p_to}};
-      if (!forward) std::swap(part.from, part.to);
-      parts.push_back(part);
-    }
-    if (next->first < u_from) u_from = next->first, whole.p_from = next->second.p_from;
-    if (next->second.to > whole.to) whole.to = next->second.to, whole.p_to = next->second.p_to;
-    next = covered_.erase(next);
-  }
-  covered_.emplace(u_from, whole);
-  return parts;
-}
 
 /// Returns the rests of the strokes of one bucket.
 std::vector<CutStroke> thin_line(const std::vector<Stroke>& strokes, std::span<const Filed> bucket,
