@@ -53,11 +53,10 @@ LatticeLines on_lattice(const Polylines& lines) {
       const LatticePoint p = out.lattice.snap(mm);
       if (out.points.size() == first || out.points.back() != p) out.points.push_back(p);
     }
-    if (out.points.size() == first) continue;
     if (out.points.size() == first + 1) {
       out.dots.push_back(out.points.back());
       out.points.pop_back();
-    } else {
+    } else if (out.points.size() > first) {
       out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
     }
   }
@@ -143,13 +142,65 @@ class JoinedStrokes {
     for (const std::uint32_t node : order) take_in_rings(node);
   }
 
-  Polylines polylines() const;
+  Polylines polylines() const {
+    Polylines out;
+    out.points.reserve(strokes_.size() + strokes_.size() / 8);
+    for_each_line(partner_, LineOrder::strokes, [&](std::span<const std::uint32_t> ends, bool) {
+      out.points.push_back(model_.lattice.to_mm(point(ends.front())));
+      for (const std::uint32_t end : ends) out.points.push_back(model_.lattice.to_mm(point(end ^ 1)));
+      out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
+    });
+    return out;
+  }
 
  private:
   LatticePoint point(std::uint32_t end) const { return tip(strokes_[end / 2], end).p; }
-  void pair_ends(std::uint32_t node);
-  void take_in_rings(std::uint32_t node);
-  void lengthen_by_ring(std::uint32_t node, std::uint32_t pass);
+
+  /// Pairs the straightest ends at a node, then the rest in their order.
+  void pair_ends(std::uint32_t node) {
+    std::vector<NodeArm> arms;
+    nodes_.for_each_end(node, [&](std::uint32_t e) { arms.push_back(arm_from(point(e), point(e ^ 1), e)); });
+    pair_arms(arms, partner_);
+    std::uint32_t waiting = kNone;
+    nodes_.for_each_end(node, [&](std::uint32_t e) {
+      if (partner_[e] != kNone) return;
+      if (waiting != kNone) join_ends(partner_, e, waiting);
+      waiting = waiting == kNone ? e : kNone;
+    });
+  }
+
+  void take_in_rings(std::uint32_t node) {
+    std::uint32_t base = kNone;
+    nodes_.for_each_end(node, [&](std::uint32_t e) {
+      if (partner_[e] == kNone) return;
+      if (base == kNone) {
+        base = e;
+        return;
+      }
+      const std::uint32_t a = chain_of_.find(base / 2), b = chain_of_.find(e / 2);
+      if (a == b || !(is_ring_[a] || is_ring_[b])) return;
+      join_ends(partner_, partner_[base], partner_[e]);
+      join_ends(partner_, base, e);
+      chain_of_.join(a, b);
+      is_ring_[chain_of_.find(a)] = is_ring_[a] && is_ring_[b];
+    });
+    if (base != kNone) lengthen_by_ring(node, base);
+  }
+
+  /// Continues a chain that ends on a ring around the ring.
+  void lengthen_by_ring(std::uint32_t node, std::uint32_t pass) {
+    const std::uint32_t ring = chain_of_.find(pass / 2);
+    if (!is_ring_[ring]) return;
+    std::uint32_t loose = kNone;
+    nodes_.for_each_end(node, [&](std::uint32_t e) {
+      if (loose == kNone && partner_[e] == kNone && chain_of_.find(e / 2) != ring) loose = e;
+    });
+    if (loose == kNone) return;
+    partner_[partner_[pass]] = kNone;
+    join_ends(partner_, pass, loose);
+    chain_of_.join(ring, loose / 2);
+    is_ring_[chain_of_.find(ring)] = 0;
+  }
 
   const StrokeModel& model_;
   const std::vector<Stroke>& strokes_;
@@ -158,64 +209,6 @@ class JoinedStrokes {
   DisjointSets chain_of_;               ///< sets of strokes
   std::vector<std::uint8_t> is_ring_;   ///< by chain
 };
-
-/// Pairs the straightest ends at a node, then the rest in their order.
-void JoinedStrokes::pair_ends(std::uint32_t node) {
-  std::vector<NodeArm> arms;
-  nodes_.for_each_end(node, [&](std::uint32_t e) { arms.push_back(arm_from(point(e), point(e ^ 1), e)); });
-  pair_arms(arms, partner_);
-  std::uint32_t waiting = kNone;
-  nodes_.for_each_end(node, [&](std::uint32_t e) {
-    if (partner_[e] != kNone) return;
-    if (waiting != kNone) join_ends(partner_, e, waiting);
-    waiting = waiting == kNone ? e : kNone;
-  });
-}
-
-void JoinedStrokes::take_in_rings(std::uint32_t node) {
-  std::uint32_t base = kNone;
-  nodes_.for_each_end(node, [&](std::uint32_t e) {
-    if (partner_[e] == kNone) return;
-    if (base == kNone) {
-      base = e;
-      return;
-    }
-    const std::uint32_t a = chain_of_.find(base / 2), b = chain_of_.find(e / 2);
-    if (a == b || !(is_ring_[a] || is_ring_[b])) return;
-    join_ends(partner_, partner_[base], partner_[e]);
-    join_ends(partner_, base, e);
-    chain_of_.join(a, b);
-    is_ring_[chain_of_.find(a)] = is_ring_[a] && is_ring_[b];
-  });
-  if (base != kNone) lengthen_by_ring(node, base);
-}
-
-/// Continues a chain that ends on a ring around the ring.
-void JoinedStrokes::lengthen_by_ring(std::uint32_t node, std::uint32_t pass) {
-  const std::uint32_t ring = chain_of_.find(pass / 2);
-  if (!is_ring_[ring]) return;
-  std::uint32_t loose = kNone;
-  nodes_.for_each_end(node, [&](std::uint32_t e) {
-    if (loose == kNone && partner_[e] == kNone && chain_of_.find(e / 2) != ring) loose = e;
-  });
-  if (loose == kNone) return;
-  partner_[partner_[pass]] = kNone;
-  join_ends(partner_, pass, loose);
-  chain_of_.join(ring, loose / 2);
-  is_ring_[chain_of_.find(ring)] = 0;
-}
-
-Polylines JoinedStrokes::polylines() const {
-  Polylines out;
-  out.points.reserve(strokes_.size() + strokes_.size() / 8);
-  for_each_line(partner_, LineOrder::strokes, [&](std::span<const std::uint32_t> ends, bool) {
-    out.points.push_back(model_.lattice.to_mm(point(ends.front())));
-    for (const std::uint32_t end : ends) out.points.push_back(model_.lattice.to_mm(point(end ^ 1)));
-    out.begin.push_back(static_cast<std::uint32_t>(out.points.size()));
-  });
-  return out;
-}
-
 /// A line is closed over a gap only if it is longer than this multiple of the gap: it must go somewhere and come back.
 constexpr double kLoopLengths = 4;
 

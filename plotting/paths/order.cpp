@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -28,13 +27,12 @@ bool is_inside(std::span<const Point2> loop, Point2 p) {
 std::vector<std::uint32_t> surrounders(const Polylines& lines) {
   const auto n = static_cast<std::uint32_t>(lines.size());
   std::vector<Rect> boxes(n);
-  std::vector<std::uint32_t> strokes(n), loops;
-  std::iota(strokes.begin(), strokes.end(), 0u);
+  std::vector<std::uint32_t> strokes, loops;
   for (std::uint32_t s = 0; s < n; ++s) {
     for (const Point2 p : lines[s]) boxes[s].extend(p);
+    if (!lines[s].empty()) strokes.push_back(s);
     if (lines[s].size() > 3 && is_loop(lines[s])) loops.push_back(s);
   }
-  std::erase_if(strokes, [&](std::uint32_t s) { return lines[s].empty(); });
   std::ranges::sort(strokes, {}, [&](std::uint32_t s) { return std::pair(lines[s].front().y, s); });
   std::ranges::sort(loops, {}, [&](std::uint32_t s) { return std::pair(boxes[s].min.y, s); });
   std::vector<std::uint32_t> around(n, kNone), open;
@@ -68,25 +66,17 @@ std::vector<std::uint32_t> inside_first(const Polylines& lines, const std::vecto
     if (around[s] != kNone) inside[around[s]].push_back(s);
   }
   std::vector<std::uint8_t> is_drawn(lines.size(), 0);
-  std::vector<std::uint32_t> result;
-  struct Visit {
-    std::uint32_t stroke;
-    std::size_t next;  ///< index of the next stroke inside it
-  };
-  std::vector<Visit> stack;
+  std::vector<std::uint32_t> result, found, waiting;
   for (const std::uint32_t first : order) {
-    if (!is_drawn[first]) stack.push_back({first, 0});
-    while (!stack.empty()) {
-      Visit& visit = stack.back();
-      if (visit.next < inside[visit.stroke].size()) {
-        const std::uint32_t within = inside[visit.stroke][visit.next++];
-        if (!is_drawn[within]) stack.push_back({within, 0});
-        continue;
-      }
-      is_drawn[visit.stroke] = 1;
-      result.push_back(visit.stroke);
-      stack.pop_back();
+    // Finds a stroke and those inside it in the reverse of the order in which they are drawn.
+    for (waiting.assign(1, first), found.clear(); !waiting.empty();) {
+      const std::uint32_t stroke = waiting.back();
+      waiting.pop_back();
+      if (std::exchange(is_drawn[stroke], 1)) continue;
+      found.push_back(stroke);
+      waiting.insert(waiting.end(), inside[stroke].begin(), inside[stroke].end());
     }
+    result.insert(result.end(), found.rbegin(), found.rend());
   }
   return result;
 }
@@ -188,15 +178,11 @@ void Strokes::choose_starts(const Tour& tour) {
     if (stroke >= count() || !is_loop(lines_[stroke])) continue;
     const auto line = lines_[stroke];
     const Point2 from = end_point(tour[i - 1] ^ 1);
-    double best = std::numeric_limits<double>::infinity();
-    for (std::uint32_t p = 0; p + 1 < line.size(); ++p) {
-      const double way =
-          glm::distance(from, line[p]) + (i + 1 < tour.size() ? glm::distance(line[p], end_point(tour[i + 1])) : 0);
-      if (way < best) {
-        best = way;
-        start_[stroke] = p;
-      }
-    }
+    const auto way = [&](Point2 p) {
+      return glm::distance(from, p) + (i + 1 < tour.size() ? glm::distance(p, end_point(tour[i + 1])) : 0);
+    };
+    const auto best = std::ranges::min_element(line.begin(), line.end() - 1, {}, way);
+    start_[stroke] = static_cast<std::uint32_t>(best - line.begin());
   }
 }
 
