@@ -9,7 +9,6 @@
 #include <glm/geometric.hpp>
 
 #include "base/indices_where.hpp"
-#include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "linework/map/nodes.hpp"
 #include "linework/stroke_geometry.hpp"
@@ -138,17 +137,12 @@ void close_gaps(const std::vector<Change>& changes, const std::vector<std::optio
   }
 }
 
-bool contains(const Rect& box, Point2 p) {
-  return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y;
-}
-
 }  // namespace
 
 std::vector<ContourRun> runs_of(const std::vector<Stroke>& strokes, std::uint32_t first_source, std::size_t segments,
                                 bool hidden_too) {
   std::vector<ContourRun> runs;
-  auto stroke = std::lower_bound(strokes.begin(), strokes.end(), first_source,
-                                 [](const Stroke& s, std::uint32_t source) { return s.source < source; });
+  auto stroke = std::ranges::lower_bound(strokes, first_source, {}, &Stroke::source);
   for (std::size_t i = 0; i < segments; ++i) {
     const std::uint32_t source = first_source + static_cast<std::uint32_t>(i);
     const double at = double(i);
@@ -206,14 +200,10 @@ void SegmentFinder::add(const OutlineSegment& segment) {
   const Point2 margin(lattice_.step_mm), along = segment.to - segment.from;
   if (!std::isfinite(along.x) || !std::isfinite(along.y)) return;
   const Rect box{box_.min - margin, box_.max + margin};
-  std::array<double, 2> range{0, 1};
-  if (!contains(box, segment.from) || !contains(box, segment.to)) {
-    const auto part = clip_segment({segment.from.x, segment.from.y, 0, 1}, {segment.to.x, segment.to.y, 0, 1}, {box});
-    if (!part) return;
-    range = part->range;
-  }
+  const auto part = clip_segment({segment.from.x, segment.from.y, 0, 1}, {segment.to.x, segment.to.y, 0, 1}, {box});
+  if (!part) return;
   const auto at = [&](double t) { return lattice_.snap(segment.from + t * along); };
-  cells_.insert(static_cast<std::uint32_t>(segments_.size()), at(range[0]), at(range[1]));
+  cells_.insert(static_cast<std::uint32_t>(segments_.size()), at(part->range[0]), at(part->range[1]));
   segments_.push_back(segment);
 }
 
@@ -270,13 +260,10 @@ std::optional<Move> moved_end(const Lattice& lattice, const Stroke& s, bool firs
   const double back = std::min(kMostOblique * reach_mm, length);
   const double on = std::clamp(rest, 0.0, reach_mm);
   const double slope = (tip.z - far.z) / length;
-  std::array<CurvePoint, 2> part;
-  for (const bool behind : {false, true}) {
-    const double shift = behind ? on : -back;
-    part[behind].mm = end + shift * along;
-    part[behind].depth = tip.z + shift * slope;
-    part[behind].length = shift;
-  }
+  const auto at = [&](double shift) -> CurvePoint {
+    return {.mm = end + shift * along, .depth = tip.z + shift * slope, .length = shift};
+  };
+  const std::array part{at(-back), at(on)};
   // A tangent line runs behind a contour on one of its own surfaces, both of which are curved between the two.
   const bool is_tangent = s.line_class == LineClass::tangent;
   const auto best = nearest_crossing(part, 0, is_tangent ? back : 0, finder, [&](const OutlineSegment& contour) {

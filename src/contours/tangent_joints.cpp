@@ -26,8 +26,7 @@ constexpr double kTangentCellMm = 2;
 
 /// A place at which a visible contour crosses the edge between two surfaces, and that edge.
 struct Joint {
-  Point2 mm{0, 0};
-  double depth = 0, weight = 1;
+  CurvePoint place;
   Point3 at{0, 0, 0};
   std::uint32_t face = kNone;  ///< of the contour before it
   std::array<Point2, 2> edge{};
@@ -49,12 +48,7 @@ std::vector<Joint> seen_joints(const Scene& scene, const View& view, const Smoot
       if (!node.is_joint || !is_seen(seen[c], static_cast<double>(i))) continue;
       const CurvePoint place = seen[c].curve.point_at(static_cast<double>(i));
       const auto page = [&](std::uint32_t v) { return page_point(view, scene.vertices[v]); };
-      joints.push_back({place.mm,
-                        place.depth,
-                        place.weight,
-                        node.on_surface,
-                        contours.faces[c][i - 1],
-                        {page(node.edge[0]), page(node.edge[1])}});
+      joints.push_back({place, node.on_surface, contours.faces[c][i - 1], {page(node.edge[0]), page(node.edge[1])}});
     }
   }
   return joints;
@@ -96,7 +90,7 @@ class TangentJoiner {
     finder_.near(a, b, kOnEdgeMm, [&](const OutlineSegment& piece) {
       for (const std::uint32_t end : {2 * piece.chain, 2 * piece.chain + 1}) {
         const Point2 place = mm(tip(stroke_of(end), end).p);
-        const double distance = glm::distance(place, joint.mm);
+        const double distance = glm::distance(place, joint.place.mm);
         const bool is_free = nodes_.degree(nodes_.of(end)) == 1;
         if (!is_free || squared_distance(place, a, b) > kOnEdgeMm * kOnEdgeMm || (best && distance >= nearest)) continue;
         best = end;
@@ -108,8 +102,8 @@ class TangentJoiner {
 
   void join(const Joint& joint, std::uint32_t end) {
     const StrokeTip own = tip(stroke_of(end), end), far = tip(stroke_of(end), end ^ 1);
-    const float weight = view_.camera.perspective ? static_cast<float>(joint.weight) : own.w;
-    const StrokeTip at{model_.lattice.snap(joint.mm), static_cast<float>(joint.depth), weight};
+    const float weight = view_.camera.perspective ? static_cast<float>(joint.place.weight) : own.w;
+    const StrokeTip at{model_.lattice.snap(joint.place.mm), static_cast<float>(joint.place.depth), weight};
     Stroke s = stroke_between(stroke_of(end), own, at);
     const Point2 here = mm(s.from), other = mm(far.p);
     if (s.from == s.to) return;

@@ -118,7 +118,39 @@ class RimLines {
   /// Returns one or two pieces of rims that replace a stroke of an intersection, and appends their sources to
   /// `model.intersections`. Returns none if the stroke runs along no rim, or along a rim whose class is not in
   /// `classes`.
-  std::vector<Stroke> pieces(StrokeModel& model, const Stroke& stroke, const View& view, LineClasses classes) const;
+  std::vector<Stroke> pieces(StrokeModel& model, const Stroke& stroke, const View& view, LineClasses classes) const {
+    const SourceEdge segment = model.intersections[stroke.source - model.edge_count];
+    const Point3 from = between(segment.ends[0], segment.ends[1], stroke.t_from);
+    const Point3 to = between(segment.ends[0], segment.ends[1], stroke.t_to);
+    std::vector<Stroke> pieces;
+    for (int k = 0; k < 2; ++k) {
+      const std::uint32_t face = segment.faces[k], other = segment.faces[1 - k];
+      const double error = errors_.of(other);
+      if (error == 0) continue;
+      const double distance = error + object_precision(scene_, face) + object_precision(scene_, other);
+      const auto p = nearest(face, distance, from);
+      if (!p) continue;
+      const auto q = nearest(face, distance, to);
+      if (!q || !classes.has(line_class(rims_[p->rim], view.camera))) continue;
+      if (p->rim == q->rim) {
+        add_piece(model, pieces, stroke, view, *p, q->at);
+        return pieces;
+      }
+      const Rim &r = rims_[p->rim], &s = rims_[q->rim];
+      const bool at_v0 = r.v0 == s.v0 || r.v0 == s.v1, at_v1 = r.v1 == s.v0 || r.v1 == s.v1;
+      if (at_v0 == at_v1) continue;
+      const std::uint32_t corner = at_v0 ? r.v0 : r.v1;
+      // At the tip of a narrow face the two ends may lie near two rims that meet far away, or that turn back there.
+      const Point3 turn = scene_.vertices[corner];
+      const double farthest = distance + std::max(r.distance, s.distance);
+      const Point3 nearest_of_piece = between(from, to, nearest_on_segment(turn, from, to));
+      if (glm::distance(turn, nearest_of_piece) > farthest || glm::dot(from - turn, to - turn) > 0) continue;
+      add_piece(model, pieces, stroke, view, *p, at_v0 ? 0 : 1);
+      add_piece(model, pieces, stroke, view, {q->rim, corner == s.v0 ? 0.0 : 1.0}, q->at);
+      return pieces;
+    }
+    return pieces;
+  }
 
  private:
   struct Rim {
@@ -131,10 +163,34 @@ class RimLines {
     double at;  ///< 0 at its v0, 1 at its v1
   };
   std::optional<Place> nearest(std::uint32_t face, double distance, const Point3& p) const;
-  LineClass line_class(const Rim& rim, const Camera& camera) const;
+
+  LineClass line_class(const Rim& rim, const Camera& camera) const {
+    if (rim.neighbour == kNone) return LineClass::border;
+    return looks_at(scene_, rim.face, camera) != looks_at(scene_, rim.neighbour, camera) ? LineClass::outline
+                                                                                         : LineClass::crease;
+  }
+
   /// Adds a piece between two places of one rim.
-  void add_piece(StrokeModel& model, std::vector<Stroke>& pieces, const Stroke& stroke, const View& view, const Place& from,
-                 double to) const;
+  void add_piece(StrokeModel& model, std::vector<Stroke>& pieces, const Stroke& stroke, const View& view, const Place& begin,
+                 double to) const {
+    double from = begin.at;
+    if (from > to) std::swap(from, to);
+    const Rim& r = rims_[begin.rim];
+    const Point3 a = scene_.vertices[r.v0], b = scene_.vertices[r.v1];
+    const auto tip_at = [&](double t) -> StrokeTip {
+      const HomogeneousPoint p = to_homogeneous(view, between(a, b, t));
+      return {model.lattice.snap({p.x / p.w, p.y / p.w}), static_cast<float>(p.z / p.w), static_cast<float>(p.w)};
+    };
+    Stroke piece = stroke_between(stroke, tip_at(from), tip_at(to));
+    if (piece.from == piece.to) return;
+    piece.t_from = from;
+    piece.t_to = to;
+    piece.source = model.edge_count + static_cast<std::uint32_t>(model.intersections.size());
+    piece.line_class = line_class(r, view.camera);
+    piece.needs_overlap_check = true;
+    model.intersections.push_back({{a, b}, {r.face, r.neighbour}, false});
+    pieces.push_back(piece);
+  }
 
   const Scene& scene_;
   const ChordErrors& errors_;
@@ -176,68 +232,6 @@ std::optional<RimLines::Place> RimLines::nearest(std::uint32_t face, double dist
   if (found.segment == kNone || found.distance > distance + rims_[found.segment].distance) return std::nullopt;
   return Place{found.segment, found.at};
 }
-
-LineClass RimLines::line_class(const Rim& rim, const Camera& camera) const {
-  if (rim.neighbour == kNone) return LineClass::border;
-  return looks_at(scene_, rim.face, camera) != looks_at(scene_, rim.neighbour, camera) ? LineClass::outline
-                                                                                       : LineClass::crease;
-}
-
-void RimLines::add_piece(StrokeModel& model, std::vector<Stroke>& pieces, const Stroke& stroke, const View& view,
-                         const Place& begin, double to) const {
-  double from = begin.at;
-  if (from > to) std::swap(from, to);
-  const Rim& r = rims_[begin.rim];
-  const Point3 a = scene_.vertices[r.v0], b = scene_.vertices[r.v1];
-  const auto tip_at = [&](double t) -> StrokeTip {
-    const HomogeneousPoint p = to_homogeneous(view, between(a, b, t));
-    return {model.lattice.snap({p.x / p.w, p.y / p.w}), static_cast<float>(p.z / p.w), static_cast<float>(p.w)};
-  };
-  Stroke piece = stroke_between(stroke, tip_at(from), tip_at(to));
-  if (piece.from == piece.to) return;
-  piece.t_from = from;
-  piece.t_to = to;
-  piece.source = model.edge_count + static_cast<std::uint32_t>(model.intersections.size());
-  piece.line_class = line_class(r, view.camera);
-  piece.needs_overlap_check = true;
-  model.intersections.push_back({{a, b}, {r.face, r.neighbour}, false});
-  pieces.push_back(piece);
-}
-
-std::vector<Stroke> RimLines::pieces(StrokeModel& model, const Stroke& stroke, const View& view, LineClasses classes) const {
-  const SourceEdge segment = model.intersections[stroke.source - model.edge_count];
-  const Point3 from = between(segment.ends[0], segment.ends[1], stroke.t_from);
-  const Point3 to = between(segment.ends[0], segment.ends[1], stroke.t_to);
-  std::vector<Stroke> pieces;
-  for (int k = 0; k < 2; ++k) {
-    const std::uint32_t face = segment.faces[k], other = segment.faces[1 - k];
-    const double error = errors_.of(other);
-    if (error == 0) continue;
-    const double distance = error + object_precision(scene_, face) + object_precision(scene_, other);
-    const auto p = nearest(face, distance, from);
-    if (!p) continue;
-    const auto q = nearest(face, distance, to);
-    if (!q || !classes.has(line_class(rims_[p->rim], view.camera))) continue;
-    if (p->rim == q->rim) {
-      add_piece(model, pieces, stroke, view, *p, q->at);
-      return pieces;
-    }
-    const Rim &r = rims_[p->rim], &s = rims_[q->rim];
-    const bool at_v0 = r.v0 == s.v0 || r.v0 == s.v1, at_v1 = r.v1 == s.v0 || r.v1 == s.v1;
-    if (at_v0 == at_v1) continue;
-    const std::uint32_t corner = at_v0 ? r.v0 : r.v1;
-    // At the tip of a narrow face the two ends may lie near two rims that meet far away, or that turn back there.
-    const Point3 turn = scene_.vertices[corner];
-    const double farthest = distance + std::max(r.distance, s.distance);
-    const Point3 nearest_of_piece = between(from, to, nearest_on_segment(turn, from, to));
-    if (glm::distance(turn, nearest_of_piece) > farthest || glm::dot(from - turn, to - turn) > 0) continue;
-    add_piece(model, pieces, stroke, view, *p, at_v0 ? 0 : 1);
-    add_piece(model, pieces, stroke, view, {q->rim, corner == s.v0 ? 0.0 : 1.0}, q->at);
-    return pieces;
-  }
-  return pieces;
-}
-
 }  // namespace
 
 void clear_intersections(StrokeModel& model, const Scene& scene, const ProjectedScene& projected, const LineRequest& request,
