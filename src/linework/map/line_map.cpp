@@ -167,23 +167,27 @@ void LineMap::write_stroke(std::uint32_t first_piece, std::vector<Stroke>& out) 
 void LineMap::clear_hidden(std::vector<Stroke>& strokes, double ink) const {
   if (!had_hidden_ || model_.strokes.size() == given_) return;
   const std::span added(model_.strokes.begin() + given_, model_.strokes.end());
-  LineCells cells(cell_);
+  LineCells cells(std::min(std::max(2 * ink, 1.0), cell_));
   for (std::uint32_t a = 0; a < added.size(); ++a) cells.insert(a, added[a].from, added[a].to);
-  // Only strokes of which an end lies in the ink lose a part.
-  const auto lies_in_ink = [&](LatticePoint p) {
+  // How far ink covers a stroke from an end on, 0 or 1, as a fraction of its length.
+  const auto end_of_ink = [&](const Stroke& s, double end) {
     constexpr double kRounding = 1;  // lattice steps
-    return cells.near(p, p, ink, [&](std::uint32_t a) { return foot_on(added[a], p).distance <= ink + kRounding; });
+    double covered = end, before = -1;
+    while (std::exchange(before, covered) != covered) {
+      const LatticePoint p = point_at(s, covered);
+      cells.near(p, p, ink, [&](std::uint32_t a) {
+        if (foot_on(added[a], p).distance > ink + kRounding) return false;
+        const StrokePart part = part_near(s, added[a], ink);
+        if (part.from <= covered && covered <= part.to) covered = end == 0 ? part.to : part.from;
+        return false;
+      });
+    }
+    return covered;
   };
   const auto is_gone = [&](Stroke& s) {
-    if (s.visible || s.from == s.to || !(lies_in_ink(s.from) || lies_in_ink(s.to))) return false;
-    std::vector<StrokePart> parts;
-    cells.near(s.from, s.to, ink, [&](std::uint32_t a) {
-      if (const StrokePart part = part_near(s, added[a], ink); !part.empty()) parts.push_back(part);
-      return false;
-    });
-    if (parts.empty()) return false;
-    unite(parts);
-    const double from = parts.front().from == 0 ? parts.front().to : 0, to = parts.back().to == 1 ? parts.back().from : 1;
+    if (s.visible || s.from == s.to) return false;
+    const double from = end_of_ink(s, 0), to = end_of_ink(s, 1);
+    if (from == 0 && to == 1) return false;
     if (from >= to) return true;
     s = stroke_piece(s, {from, point_at(s, from)}, {to, point_at(s, to)});
     return s.from == s.to;
