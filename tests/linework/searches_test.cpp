@@ -42,9 +42,6 @@ TEST(PointTree, VisitsTheLeavesOfTheBoxesThatAreEntered) {
   for (std::size_t i = 0; i < 50; ++i) {
     const Point2 p(points[i][0], points[i][1]);
     const double reach = double(i);
-    const auto is_near = [&](std::uint32_t k) {
-      return PointBox<2>{points[k], points[k]}.squared_distance(p) <= reach * reach;
-    };
     std::vector<std::uint32_t> found, expected;
     tree.search_from(
         p,
@@ -56,11 +53,9 @@ TEST(PointTree, VisitsTheLeavesOfTheBoxesThatAreEntered) {
     std::sort(found.begin(), found.end());
     EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
     for (std::uint32_t k = 0; k < points.size(); ++k)
-      if (is_near(k)) expected.push_back(k);
+      if (PointBox<2>{points[k], points[k]}.squared_distance(p) <= reach * reach) expected.push_back(k);
     EXPECT_TRUE(std::includes(found.begin(), found.end(), expected.begin(), expected.end()));
-    if (i < 5) {
-      EXPECT_LT(found.size(), points.size() / 4);
-    }
+    EXPECT_TRUE(i >= 5 || found.size() < points.size() / 4);
   }
 }
 
@@ -78,11 +73,26 @@ TEST(PointTree, EveryPointIsInTheNodesAroundIt) {
   for (std::uint32_t node = 0; node < tree.node_count(); ++node) EXPECT_EQ(met[node], tree.size_of(node));
 }
 
+/// Else each search from a place where thousands of lines meet looks into all parts of the tree.
+TEST(PointTree, KeepsThePointsOfOnePlaceTogether) {
+  std::vector<TreePoint<2>> points = crowded_points(4000, 1000);
+  points.resize(8000, {0, 0});
+  std::size_t parts = 0;
+  const auto enter = [&](const PointBox<2>& box) {
+    const bool is_place = box.low == points.back() && box.high == points.back();
+    parts += is_place;
+    return !is_place && box.squared_distance(Point2(0, 0)) == 0;
+  };
+  PointTree<2>(points).search(enter, [](std::uint32_t) {});
+  EXPECT_LE(parts, 2u);
+}
+
 TEST(PointTree, OfNoPointsHasNothingToVisit) {
-  PointTree<2>(std::vector<TreePoint<2>>{})
-      .search_from(
-          Point2(0, 0), [](std::uint32_t, double) { return true; }, [](std::uint32_t) { FAIL(); });
-  PointTree<2>(std::vector<TreePoint<2>>{}).search([](const PointBox<2>&) { return true; }, [](std::uint32_t) { FAIL(); });
+  const PointTree<2> none(std::vector<TreePoint<2>>{});
+  const auto fail = [](std::uint32_t) { FAIL(); };
+  none.search_from(
+      Point2(0, 0), [](std::uint32_t, double) { return true; }, fail);
+  none.search([](const PointBox<2>&) { return true; }, fail);
 }
 
 // The search for overlaps against all pairs.
@@ -117,45 +127,34 @@ void expect_found(const std::vector<Stroke>& strokes, std::uint32_t seed) {
     const std::vector<StrokePair> found = find_new_overlaps(all, kTolerance);
     std::vector<StrokePair> expected = by_all_pairs(all.strokes);
     std::erase_if(expected, [&](const StrokePair& p) { return !all.is_new[p.later] && !all.is_new[p.earlier]; });
-    EXPECT_EQ(found.size(), expected.size()) << "seed " << seed << ", one in " << every;
-    EXPECT_TRUE(found == expected) << "seed " << seed << ", one in " << every;
+    EXPECT_TRUE(found == expected) << found.size() << ", seed " << seed << ", one in " << every;
   }
 }
-
-class Dice {
- public:
-  explicit Dice(std::uint32_t seed) : random_(seed) {}
-  int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
-  int within(int n) { return below(2 * n + 1) - n; }
-
- private:
-  std::mt19937 random_;
-};
 
 /// Strokes of about `length`, most of which begin on a line of another, near it, or near an end of it, at angles down to
 /// none.
 std::vector<Stroke> clustered(std::uint32_t seed, int count, int page, int shortest, int longest) {
-  Dice dice(seed);
+  std::mt19937 random(seed);
+  const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  const auto within = [&](int n) { return below(2 * n + 1) - n; };
   std::vector<Stroke> strokes;
   for (int i = 0; i < count; ++i) {
-    LatticePoint from{dice.within(page), dice.within(page)};
-    double angle = dice.below(6283) / 1000.0;
-    const double ratio = dice.below(1001) / 1000.0;
+    LatticePoint from{within(page), within(page)};
+    double angle = below(6283) / 1000.0;
+    const double ratio = below(1001) / 1000.0;
     const double l = shortest * std::pow(double(longest) / shortest, ratio);
-    if (i > 0 && dice.below(4) > 0) {
-      const Stroke& other = strokes[static_cast<std::size_t>(dice.below(i))];
+    if (i > 0 && below(4) > 0) {
+      const Stroke& other = strokes[static_cast<std::size_t>(below(i))];
       const double dx = double(other.to.x) - other.from.x, dy = double(other.to.y) - other.from.y;
-      const double at = dice.below(3) == 0 ? dice.below(2) : dice.below(1001) / 1000.0;
-      const int off = dice.below(2) == 0 ? 0 : dice.below(2) == 0 ? 4 : 300;
-      from = {other.from.x + static_cast<int>(std::lround(at * dx)) + dice.within(off),
-              other.from.y + static_cast<int>(std::lround(at * dy)) + dice.within(off)};
-      angle =
-          std::atan2(dy, dx) + 3.14159265358979 * dice.below(2) + dice.within(100) / 100.0 * 5 / l * (1 << dice.below(8));
+      const double at = below(3) == 0 ? below(2) : below(1001) / 1000.0;
+      const int off = below(2) == 0 ? 0 : below(2) == 0 ? 4 : 300;
+      from = {other.from.x + static_cast<int>(std::lround(at * dx)) + within(off),
+              other.from.y + static_cast<int>(std::lround(at * dy)) + within(off)};
+      angle = std::atan2(dy, dx) + 3.14159265358979 * below(2) + within(100) / 100.0 * 5 / l * (1 << below(8));
     }
-    const LatticePoint to{from.x + static_cast<int>(std::lround(l * std::cos(angle))),
-                          from.y + static_cast<int>(std::lround(l * std::sin(angle)))};
+    const LatticePoint to = moved(from, {l * std::cos(angle), l * std::sin(angle)});
     Stroke s = stroke(from, to, LineClass::mesh, std::uint32_t(i));
-    s.needs_overlap_check = dice.below(3) > 0;
+    s.needs_overlap_check = below(3) > 0;
     strokes.push_back(s);
   }
   return strokes;

@@ -112,14 +112,26 @@ class PointTree {
       const auto side = [&](std::size_t k) { return double(box.high[k]) - double(box.low[k]); };
       std::size_t axis = 0;
       for (std::size_t k = 1; k < N; ++k) axis = side(k) > side(axis) ? k : axis;
-      const std::uint32_t middle = begin + (end - begin) / 2;
-      std::nth_element(here.begin(), here.begin() + (middle - begin), here.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return points[a][axis] < points[b][axis] || (points[a][axis] == points[b][axis] && a < b);
-      });
+      const std::uint32_t middle = begin + divide(points, here, axis);
       build(points, begin, middle);
       build(points, middle, end);
     }
     nodes_[node].after = static_cast<std::uint32_t>(nodes_.size());
+  }
+
+  /// Sorts the points into two halves along an axis. Returns the number of the first half. Points with one coordinate stay
+  /// together, so that a place where many lie is in few nodes.
+  static std::uint32_t divide(const std::vector<Point>& points, std::span<std::uint32_t> here, std::size_t axis) {
+    const auto at = [&](std::uint32_t i) { return points[i][axis]; };
+    const auto middle = here.begin() + here.size() / 2;
+    std::nth_element(here.begin(), middle, here.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return at(a) < at(b) || (at(a) == at(b) && a < b); });
+    const auto value = at(*middle);
+    const auto low = std::partition(here.begin(), middle, [&](std::uint32_t i) { return at(i) < value; });
+    const auto high = std::partition(middle, here.end(), [&](std::uint32_t i) { return at(i) == value; });
+    const bool has_low = low != here.begin(), has_high = high != here.end();
+    const auto end = has_low && (!has_high || middle - low <= high - middle) ? low : has_high ? high : middle;
+    return static_cast<std::uint32_t>(end - here.begin());
   }
 
   template <class Place, class Enter, class Visit>
