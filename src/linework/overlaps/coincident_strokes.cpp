@@ -152,28 +152,29 @@ bool is_crowd(const std::vector<Stroke>& strokes, double tolerance_steps) {
   return 2 * pairs * times > kMany * kSample;
 }
 
-/// Cuts strokes until no two overlap. Rests may overlap strokes that their wholes did not, where a wedge has become short
-/// enough.
-void resolve_overlaps(ComparedStrokes& compared, const OverlapTolerance& tolerance) {
-  for (;;) {
+/// Cuts strokes until no two overlap, or fewer than `least` are new. Rests may overlap strokes that their wholes did not,
+/// where a wedge has become short enough.
+void resolve_overlaps(ComparedStrokes& compared, std::size_t least, const OverlapTolerance& tolerance) {
+  const auto has_new = [&] { return static_cast<std::size_t>(std::ranges::count(compared.is_new, 1)) >= least; };
+  while (has_new()) {
     const std::vector<StrokePair> pairs = find_new_overlaps(compared, tolerance.steps);
-    if (pairs.empty()) return;
     compared.replace(PairResolver(compared.strokes, tolerance).resolve(pairs));
   }
 }
 
 /// Returns what stays of strokes, which are sorted by precedence. A crowd is taken in batches of half as many strokes as
-/// stay of those before: they cover most of a batch, so that each stroke is compared with few others.
+/// stay of those before: they cover most of a batch, so that each stroke is compared with few others. A few new rests wait
+/// for the next batch.
 std::vector<Stroke> without_overlaps(const std::vector<Stroke>& strokes, const OverlapTolerance& tolerance) {
-  constexpr std::size_t kLeast = 4096;  // strokes in a batch; adjustable
+  // Adjustable: strokes in a batch; ratio of all strokes to new ones above which these wait for the next batch.
+  constexpr std::size_t kLeast = 8192, kFewNew = 8;
   const std::size_t least = is_crowd(strokes, tolerance.steps) ? kLeast : strokes.size();
   ComparedStrokes kept;
   for (std::size_t begin = 0, end = 0; begin < strokes.size(); begin = end) {
     end = std::min(strokes.size(), begin + std::max(least, kept.strokes.size() / 2));
-    kept.is_new.assign(kept.strokes.size(), 0);
     kept.is_new.resize(kept.strokes.size() + end - begin, 1);
     kept.strokes.insert(kept.strokes.end(), strokes.data() + begin, strokes.data() + end);
-    resolve_overlaps(kept, tolerance);
+    resolve_overlaps(kept, end < strokes.size() ? kept.strokes.size() / kFewNew : 1, tolerance);
   }
   return std::move(kept.strokes);
 }
