@@ -87,11 +87,46 @@ class Strokes {
   Strokes(const Polylines& lines, const OrderOptions& options) : lines_(lines), options_(options), start_(lines.size(), 0) {}
 
   Tour nearest_neighbours();
-  Tour as_given();
-  double way_up(const Tour& tour) const;
-  void choose_starts(const Tour& tour);
+
+  /// The tour in the order of the drawing, with every loop entered at its first point.
+  Tour as_given() {
+    std::fill(start_.begin(), start_.end(), 0);
+    Tour tour;
+    tour.push_back(2 * count());
+    for (std::uint32_t s = 0; s < count(); ++s) tour.push_back(2 * s);
+    if (options_.returns) tour.push_back(2 * count() + 2);
+    return tour;
+  }
+
+  double way_up(const Tour& tour) const {
+    double way = 0;
+    for (std::size_t i = 1; i < tour.size(); ++i) way += glm::distance(end_point(tour[i - 1] ^ 1), end_point(tour[i]));
+    return way;
+  }
+
+  /// Enters each loop at the point that is best between its neighbours in the tour.
+  void choose_starts(const Tour& tour) {
+    for (std::size_t i = 1; i < tour.size(); ++i) {
+      const std::uint32_t stroke = tour[i] / 2;
+      if (stroke >= count() || !is_loop(lines_[stroke])) continue;
+      const auto line = lines_[stroke];
+      const Point2 from = end_point(tour[i - 1] ^ 1);
+      const auto way = [&](Point2 p) {
+        return glm::distance(from, p) + (i + 1 < tour.size() ? glm::distance(p, end_point(tour[i + 1])) : 0);
+      };
+      const auto best = std::ranges::min_element(line.begin(), line.end() - 1, {}, way);
+      start_[stroke] = static_cast<std::uint32_t>(best - line.begin());
+    }
+  }
+
   Tour inside_before(const Tour& tour);
-  std::vector<Point2> ends() const;
+
+  std::vector<Point2> ends() const {
+    std::vector<Point2> points(2 * lines_.size() + (options_.returns ? 4 : 2), options_.home);
+    for (std::uint32_t e = 0; e < 2 * count(); ++e) points[e] = end_point(e);
+    return points;
+  }
+
   /// The strokes of a tour in their order, without the home positions.
   std::vector<std::uint32_t> strokes_of(const Tour& tour) const {
     std::vector<std::uint32_t> strokes;
@@ -154,38 +189,6 @@ Tour Strokes::nearest_neighbours() {
   if (options_.returns) tour.push_back(2 * count() + 2);
   return tour;
 }
-
-/// The tour in the order of the drawing, with every loop entered at its first point.
-Tour Strokes::as_given() {
-  std::fill(start_.begin(), start_.end(), 0);
-  Tour tour;
-  tour.push_back(2 * count());
-  for (std::uint32_t s = 0; s < count(); ++s) tour.push_back(2 * s);
-  if (options_.returns) tour.push_back(2 * count() + 2);
-  return tour;
-}
-
-double Strokes::way_up(const Tour& tour) const {
-  double way = 0;
-  for (std::size_t i = 1; i < tour.size(); ++i) way += glm::distance(end_point(tour[i - 1] ^ 1), end_point(tour[i]));
-  return way;
-}
-
-/// Enters each loop at the point that is best between its neighbours in the tour.
-void Strokes::choose_starts(const Tour& tour) {
-  for (std::size_t i = 1; i < tour.size(); ++i) {
-    const std::uint32_t stroke = tour[i] / 2;
-    if (stroke >= count() || !is_loop(lines_[stroke])) continue;
-    const auto line = lines_[stroke];
-    const Point2 from = end_point(tour[i - 1] ^ 1);
-    const auto way = [&](Point2 p) {
-      return glm::distance(from, p) + (i + 1 < tour.size() ? glm::distance(p, end_point(tour[i + 1])) : 0);
-    };
-    const auto best = std::ranges::min_element(line.begin(), line.end() - 1, {}, way);
-    start_[stroke] = static_cast<std::uint32_t>(best - line.begin());
-  }
-}
-
 /// Moves the strokes inside a closed stroke before it.
 Tour Strokes::inside_before(const Tour& tour) {
   std::vector<std::uint32_t> entry_of(count() + 2);  // also of the home positions
@@ -197,13 +200,6 @@ Tour Strokes::inside_before(const Tour& tour) {
   choose_starts(changed);
   return changed;
 }
-
-std::vector<Point2> Strokes::ends() const {
-  std::vector<Point2> points(2 * lines_.size() + (options_.returns ? 4 : 2), options_.home);
-  for (std::uint32_t e = 0; e < 2 * count(); ++e) points[e] = end_point(e);
-  return points;
-}
-
 Polylines Strokes::in_order(const Tour& tour) const {
   Polylines out;
   out.points.reserve(lines_.points.size());

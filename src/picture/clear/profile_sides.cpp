@@ -173,10 +173,8 @@ std::vector<Facet> candidate_facets(const ProjectedScene& projected) {
 
 std::vector<FreeParts> free_parts(const StrokeModel& model, const ProjectedScene& projected, const Scene& scene,
                                   const ContourSources& contours, const ProfileStyle& style) {
-  const ProfileKind kind = style.kind;
-  const double pen_width_mm = style.pen_width_mm;
   const SourceLines sources(model, projected);
-  const Sides sides_of(model, scene, projected, sources, contours, pen_width_mm);
+  const Sides sides_of(model, scene, projected, sources, contours, style.pen_width_mm);
   const std::vector<Stroke>& strokes = model.strokes;
   std::vector<std::vector<Side>> sides(strokes.size());
   parallel_blocks(sides.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
@@ -198,7 +196,7 @@ std::vector<FreeParts> free_parts(const StrokeModel& model, const ProjectedScene
         if (!side.free.empty()) lines.push_back(line_of(side));
       }
     }
-    const auto seen = nearest_along(projected.vertices, facets, lines, kind == ProfileKind::sheet);
+    const auto seen = nearest_along(projected.vertices, facets, lines, style.kind == ProfileKind::sheet);
     std::size_t line = 0;
     for (std::size_t i = 0; i < sides.size(); ++i) {
       const Stroke& stroke = strokes[i];
@@ -208,8 +206,8 @@ std::vector<FreeParts> free_parts(const StrokeModel& model, const ProjectedScene
         for (const SeenStretch& stretch : seen[line]) {
           if (stretch.facet == kNone) {
             add_part(free, stretch.from, stretch.to);
-          } else if (kind == ProfileKind::parts && !owns(stroke, facets[stretch.facet].face)) {
-            add_behind(free, stroke, stretch, facets[stretch.facet], projected, kLeastDepthInPens * pen_width_mm);
+          } else if (style.kind == ProfileKind::parts && !owns(stroke, facets[stretch.facet].face)) {
+            add_behind(free, stroke, stretch, facets[stretch.facet], projected, kLeastDepthInPens * style.pen_width_mm);
           }
         }
         side.free = common_parts(side.free, free);
