@@ -24,8 +24,6 @@ namespace {
 
 constexpr std::size_t kHiddenLayer = 0, kTransparentLayer = 1, kProfileLayer = kStrokeLayerCount - 1;
 
-std::size_t layer_of(const Stroke& stroke) { return stroke_layer(stroke.line_class, stroke.visible, stroke.level); }
-
 /// Whether b lies on the segment a c, between its ends.
 bool between(LatticePoint a, LatticePoint b, LatticePoint c) {
   return orientation(a, b, c) == 0 && glm::dot(offset(a, b), offset(b, c)) > 0;
@@ -86,7 +84,7 @@ Drawing make_drawing(const StrokeModel& model) {
   std::array<std::vector<std::uint32_t>, kStrokeLayerCount> members;
   for (std::uint32_t i = 0; i < model.strokes.size(); ++i) {
     const Stroke& s = model.strokes[i];
-    if (s.from != s.to) members[layer_of(s)].push_back(i);
+    if (s.from != s.to) members[stroke_layer(s.line_class, s.visible, s.level)].push_back(i);
   }
 
   std::array<Polylines, kStrokeLayerCount> lines;

@@ -9,11 +9,8 @@ void unite(std::vector<StrokePart>& parts) {
   std::ranges::sort(parts, {}, &StrokePart::from);
   std::size_t last = 0;
   for (std::size_t i = 1; i < parts.size(); ++i) {
-    if (parts[i].from <= parts[last].to) {
-      parts[last].to = std::max(parts[last].to, parts[i].to);
-    } else {
-      parts[++last] = parts[i];
-    }
+    if (parts[i].from > parts[last].to) parts[++last] = parts[i];
+    parts[last].to = std::max(parts[last].to, parts[i].to);
   }
   if (!parts.empty()) parts.resize(last + 1);
 }

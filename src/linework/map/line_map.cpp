@@ -205,11 +205,8 @@ void LineMap::commit(double ink) {
   std::vector<Stroke> out;
   out.reserve(model_.strokes.size());
   for (std::uint32_t i = 0; i < model_.strokes.size(); ++i) {
-    if (first_piece[i] == kNone) {
-      out.push_back(model_.strokes[i]);
-    } else {
-      write_stroke(first_piece[i], out);
-    }
+    if (first_piece[i] == kNone) out.push_back(model_.strokes[i]);  // it has no pieces to write
+    write_stroke(first_piece[i], out);
   }
   clear_hidden(out, ink);
   model_.strokes = std::move(out);

@@ -12,7 +12,6 @@
 #include "scene/patches/fillets.hpp"
 
 namespace ligne {
-
 namespace {
 
 /// Adjustable: fillets narrower than this on the page, in pen widths, are drawn as one line. Two lines this near to

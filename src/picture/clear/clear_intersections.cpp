@@ -260,11 +260,8 @@ void clear_intersections(StrokeModel& model, const Scene& scene, const Projected
       model.strokes.insert(model.strokes.end(), pieces.begin(), pieces.end());
     }
   }
-  const auto count_of = [](const std::vector<bool>& which) {
-    return static_cast<std::uint64_t>(std::count(which.begin(), which.end(), true));
-  };
-  run.count_clear("intersections of surfaces that touch", count_of(contact));
-  run.count_clear("intersections along rims", count_of(on_rim));
+  run.count_clear("intersections of surfaces that touch", static_cast<std::uint64_t>(std::ranges::count(contact, true)));
+  run.count_clear("intersections along rims", static_cast<std::uint64_t>(std::ranges::count(on_rim, true)));
 }
 
 }  // namespace ligne
