@@ -25,8 +25,8 @@ const std::string kViews[] = {"iso", "front", "right", "top"};
 /// The views in which a model is drawn: in the first tier one of them, which the seed chooses.
 std::vector<std::string> views_of(const std::string& model) { return chosen("clear, " + model, std::size(kViews), kViews); }
 
-/// Cleanup closes gaps of up to twelve pens between lines that continue each other, and leads ends on by up to three
-/// (docs/clear-lines.md, "Short bits").
+/// Cleanup closes gaps of up to twelve pens between lines that continue each other, and leads ends on by up to six, whose
+/// ink lies within three of a line (docs/clear-lines.md, "Short bits").
 constexpr double kLongestBridgeMm = 12 * kPenMm, kFarthestBridgeMm = 3 * kPenMm;
 /// An outline of the mesh that its contour does not follow, as beyond a cusp, is as long as two edges or a spur.
 constexpr int kLeftOutEdges = 2;

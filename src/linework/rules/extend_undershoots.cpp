@@ -21,8 +21,8 @@ constexpr double kLongInWays = 3;
 /// Longest last part of a line that gives its direction, in reaches. Taste.
 constexpr double kDirectionInReaches = 0.25;
 /// Part of the reach within which an end meets lines at any angle. Beyond, it meets lines at the largest turn or more:
-/// nearly parallel ones lie beside it, and not before it. Tangent edges, which may end short of a line, reach no farther.
-/// Taste.
+/// nearly parallel ones lie beside it, and not before it. Tangent edges, which may end short of a line, do not turn beyond;
+/// borders, which end where their sheet does, reach no farther. Taste.
 constexpr double kNearPart = 0.5;
 /// Sine and cosine of the largest turn of a line that meets no line straight ahead: 20 degrees. Taste.
 constexpr double kTurnSine = 0.342, kTurnCosine = 0.94;
@@ -82,10 +82,12 @@ class UndershootFinder {
   std::optional<LatticePoint> target_of(std::uint32_t end) {
     if (!is_feature(map_.piece(end / 2)) || !arcs_.is_free(end)) return {};
     const Arcs::Arc own = arcs_.from(end);
-    const double longest = std::min(reach_, own.length / kLongInWays);
+    const LineClass line_class = map_.piece(end / 2).line_class;
+    const double reach = line_class == LineClass::border ? kNearPart * reach_ : reach_;
+    const double longest = std::min(reach, own.length / kLongInWays);
     Undershoot shoot{.ahead = longest * direction(end),
                      .near = std::min(1.0, kNearPart * reach_ / longest),
-                     .turns_far = map_.piece(end / 2).line_class != LineClass::tangent};
+                     .turns_far = line_class != LineClass::tangent};
     const LatticePoint p = map_.point(end);
     map_.near(p, moved(p, shoot.ahead), touching_ + kTurnSine * reach_, [&](std::uint32_t other) {
       const bool leads = arcs_.has(other) && is_feature(map_.piece(other)) && !std::ranges::binary_search(own.pieces, other);
