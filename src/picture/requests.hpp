@@ -96,9 +96,9 @@ inline constexpr std::string_view kProfileNames[] = {"off", "sheet", "parts"};
 
 /// Where tangent lines are drawn between surfaces that join smoothly. `automatic`: one line along the middle of each
 /// narrow fillet, and lines along the borders of wide ones; `borders`: always along borders; `middles`: along the
-/// middles of all fillets.
-enum class TangentLines : std::uint8_t { automatic, borders, middles };
-inline constexpr std::string_view kTangentNames[] = {"auto", "borders", "middles"};
+/// middles of all fillets; `none`: nowhere.
+enum class TangentLines : std::uint8_t { automatic, borders, middles, none };
+inline constexpr std::string_view kTangentNames[] = {"auto", "borders", "middles", "none"};
 
 /// The lines that are drawn, and the method that computes their visibility.
 struct LineRequest {

@@ -215,8 +215,9 @@ void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice,
   group.add("--crease", "DEG", request.crease_degrees, parse_both_creases, "smallest angle between normals at a crease")
       .standard("30 between faces, 10 between surfaces that the mesh approximates");
   group
-      .add("--tangent", "HOW", request.tangent, parse_tangent,
-           "lines of fillets. borders; middles: their middle lines; auto: middles of narrow fillets, borders of others")
+      .add(
+          "--tangent", "HOW", request.tangent, parse_tangent,
+          "lines of fillets. borders; middles: their middle lines; auto: middles of narrow fillets, borders of others; none")
       .standard("auto");
   group.add("--min-length", "LEN", request.least_mm, parse_min_length, "omit visible line parts shorter than LEN")
       .standard("1.5 pens; 0 for exact lines");

@@ -81,7 +81,8 @@ void decide_sheets_by_view(const Scene& scene, const Topology& topology, const C
 std::vector<ShapeLine> choose_tangent_lines(const Scene& scene, const Topology& topology, const PictureRequest& request,
                                             const View& view, Creases& creases) {
   const Patches& patches = creases.patches;
-  if ((patches.list.empty() && patches.borders.empty()) || !request.lines.classes.has(LineClass::tangent)) return {};
+  const bool asks_for_lines = request.lines.classes.has(LineClass::tangent) && request.lines.tangent != TangentLines::none;
+  if ((patches.list.empty() && patches.borders.empty()) || !asks_for_lines) return {};
   close_tangent_gaps(scene, topology, patches, creases.lines, creases.patch_edges);
   FilletMiddles fillets = fillet_middles(scene, topology, patches, creases.patch_edges, widest_fillet(request, view));
   drop_loose_tangents(scene, topology, patches, creases.lines, creases.patch_edges);
