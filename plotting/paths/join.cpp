@@ -209,6 +209,7 @@ class JoinedStrokes {
   DisjointSets chain_of_;               ///< sets of strokes
   std::vector<std::uint8_t> is_ring_;   ///< by chain
 };
+
 /// A line is closed over a gap only if it is longer than this multiple of the gap: it must go somewhere and come back.
 constexpr double kLoopLengths = 4;
 

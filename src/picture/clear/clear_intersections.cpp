@@ -232,6 +232,7 @@ std::optional<RimLines::Place> RimLines::nearest(std::uint32_t face, double dist
   if (found.segment == kNone || found.distance > distance + rims_[found.segment].distance) return std::nullopt;
   return Place{found.segment, found.at};
 }
+
 }  // namespace
 
 void clear_intersections(StrokeModel& model, const Scene& scene, const ProjectedScene& projected, const LineRequest& request,
