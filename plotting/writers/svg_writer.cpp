@@ -71,9 +71,12 @@ std::string lines_text(const Polylines& lines, std::size_t first, std::size_t la
     for (const Point2 p : lines[i]) points.push_back({rounded(p.x), rounded(p.y)});
     if (points.size() > 1 && (!is_point(points) || is_point(lines[i]))) chunk.add(points);
   }
+  // The group gives its dashes; on the surface they would only take the time to compute the outlines of all of them.
+  LineStyle solid = style;
+  solid.dashes_mm.clear();
   return canvas.paths(
       [&](cairo_t* cairo, double units_per_mm) {
-        stroke_polylines(cairo, chunk, style, {units_per_mm, 0, curves});
+        stroke_polylines(cairo, chunk, solid, {units_per_mm, 0, curves});
       },
       style.width_mm);
 }
