@@ -40,8 +40,9 @@ class SegmentEndTree {
   /// All ends, leaf by leaf, so that neighbours in the list are mostly neighbours on the page.
   const std::vector<PlacedEnd>& ends() const { return ends_; }
 
-  /// Calls visit(end) for the ends of all segments that may overlap the given one and have an end on it that is not its own
-  /// end, and of all segments between the same two points.
+  /// Calls visit(end) for the ends of all segments that are not longer than the given one, may overlap it, and have an end on
+  /// it that is not its own end; and of all segments between the same two points. Of two segments that overlap, the longer
+  /// one has an end of the other on it (segment_overlap.hpp). Visits one end of a segment of which both are on it.
   template <class Visit>
   void for_each_along(const DirectedSegment& segment, const Visit& visit) const;
 
@@ -110,13 +111,23 @@ void SegmentEndTree::for_each_along(const DirectedSegment& segment, const Visit&
   const Line line = line_of(segment);
   const LatticePoint from = segment.from, to = segment.to;
   const double dx = double(to.x) - from.x, dy = double(to.y) - from.y, most = reach_ * segment.length;
+  const double squared = dx * dx + dy * dy;
+  const auto is_near = [&](LatticePoint p) {
+    return std::abs(dx * (double(p.y) - from.y) - dy * (double(p.x) - from.x)) <= most;
+  };
+  const auto is_between = [&](LatticePoint p) {
+    const double along = dx * (double(p.x) - from.x) + dy * (double(p.y) - from.y);
+    return along > 0 && along < squared;
+  };
   const auto may_hold_some = [&](const Box& box) { return may_hold(box, line); };
   tree_.search(may_hold_some, [&](std::uint32_t e) {
-    const PlacedEnd& other = ends_[e];
-    const double area = dx * (double(other.p.y) - from.y) - dy * (double(other.p.x) - from.x);
-    if (std::abs(area) > most) return;
-    if ((other.p == from && other.far != to) || (other.p == to && other.far != from)) return;
-    visit(other);
+    const auto& [p, far, number] = ends_[e];
+    if (!is_near(p)) return;
+    const double far_dx = double(far.x) - p.x, far_dy = double(far.y) - p.y;
+    if (far_dx * far_dx + far_dy * far_dy > squared) return;
+    if ((p == from && far != to) || (p == to && far != from)) return;
+    if (p < far && is_between(far) && is_near(far)) return;
+    visit(ends_[e]);
   });
 }
 
