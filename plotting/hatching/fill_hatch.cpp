@@ -41,7 +41,7 @@ void hatch_regions(ReadDrawing& drawing, const FillReading& fills) {
     const FillHatch how = fills.hatches.of("material:" + material, "hatch");
     const double spacing = how.spacing_mm.value_or((how.tone ? kTonePens : kCoverPens) * fills.pen_width_mm);
     const double line_mm = hatch_line_mm(spacing, fills.pen_width_mm);
-    Layer layer{"hatch", {}, material};
+    Polylines lines;
     const auto closest = static_cast<std::uint32_t>(std::lround(spacing / line_mm));
     std::vector<SurfaceHatch> surfaces;
     double work = 0;
@@ -63,9 +63,9 @@ void hatch_regions(ReadDrawing& drawing, const FillReading& fills) {
       std::vector<SurfaceRun> runs;
       for (std::uint32_t k = 0; k < numbers.size(); ++k)
         add_runs(drawing.regions[numbers[k]].contours, k, frame, line_mm, runs);
-      hatch_runs(frame, line_mm, runs, surfaces, std::span(&fills.pen_width_mm, 1), std::span(&layer.lines, 1));
+      hatch_runs(frame, line_mm, runs, surfaces, std::span(&fills.pen_width_mm, 1), std::span(&lines, 1));
     }
-    if (layer.lines.size() > 0) layers.push_back(std::move(layer));
+    if (lines.size() > 0) layers.push_back({"hatch", std::move(lines), material});
   }
   drawing.drawing.layers.insert(drawing.drawing.layers.begin(), std::make_move_iterator(layers.begin()),
                                 std::make_move_iterator(layers.end()));
