@@ -40,9 +40,9 @@ class SegmentEndTree {
   /// All ends, leaf by leaf, so that neighbours in the list are mostly neighbours on the page.
   const std::vector<PlacedEnd>& ends() const { return ends_; }
 
-  /// Calls visit(end) for the ends of all segments that are not longer than the given one, may overlap it, and have an end on
-  /// it that is not its own end; and of all segments between the same two points. Of two segments that overlap, the longer
-  /// one has an end of the other on it (segment_overlap.hpp). Visits one end of a segment of which both are on it.
+  /// Calls visit(end) for the ends of all segments that are not longer than the given one, may overlap it, and have an end
+  /// on it that is not its own end; and of all segments between the same two points. Of two segments that overlap, the
+  /// longer one has an end of the other on it (segment_overlap.hpp). Visits one end of a segment of which both are on it.
   template <class Visit>
   void for_each_along(const DirectedSegment& segment, const Visit& visit) const;
 
