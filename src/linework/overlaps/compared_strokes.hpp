@@ -88,11 +88,11 @@ std::vector<std::uint32_t> strokes_near(const std::vector<Stroke>& strokes, std:
                                         double tolerance_steps);
 
 /// Returns, in ascending order, the overlapping pairs of which at least one stroke is new, and at least one needs a check
-/// (Stroke::needs_overlap_check). All strokes are longer than the tolerance. Where two strokes overlap, each end of their
-/// common interval is an end of one of them that lies on the other. So the search follows each stroke past the ends of the
-/// others: past the ends of all short strokes, and if the stroke is long, also past the ends of the long strokes of nearly
-/// its direction. Runs in parallel. Takes O(n log n), plus one test for each pair where an end of one lies near the line of
-/// the other and their directions are similar.
+/// (Stroke::needs_overlap_check). All strokes are longer than the tolerance. Where two strokes overlap, an end of the
+/// shorter one lies on the longer one. So the search follows each stroke past the ends of those that are not longer: past
+/// the ends of all short strokes, and if the stroke is long, also past the ends of the long strokes of nearly its direction.
+/// Runs in parallel. Takes O(n log n), plus one test for each pair where an end of one lies near the line of the other and
+/// their directions are similar.
 std::vector<StrokePair> find_new_overlaps(const ComparedStrokes& compared, double tolerance_steps);
 
 }  // namespace ligne
