@@ -12,7 +12,7 @@
 #include "contours/contour_sights.hpp"
 #include "contours/surfaces/outline_probes.hpp"
 #include "contours/surfaces/shallow_islands.hpp"
-#include "scene/model/object_sizes.hpp"
+#include "scene/model/bounds.hpp"
 
 namespace ligne {
 namespace {

@@ -14,7 +14,7 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "base/prefetch.hpp"
-#include "scene/model/flat_faces.hpp"
+#include "scene/model/face_shape.hpp"
 #include "scene/model/planarity.hpp"
 #include "view/clip.hpp"
 

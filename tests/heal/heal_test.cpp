@@ -7,7 +7,6 @@
 #include "scene/contacts/chord_errors.hpp"
 #include "scene/heal/border_edges.hpp"
 #include "scene/heal/edge_tree.hpp"
-#include "scene/heal/segment_cells.hpp"
 #include "scene/readers/reader.hpp"
 #include "support/mesh_text.hpp"
 #include "support/scene_parts.hpp"

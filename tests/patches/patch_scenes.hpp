@@ -2,7 +2,7 @@
 /// Meshes of known surfaces.
 
 #include "scene/creases/face_normals.hpp"
-#include "scene/model/object_sizes.hpp"
+#include "scene/model/bounds.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
 #include "support/scene_parts.hpp"
 #include "support/standard.hpp"

@@ -3,7 +3,7 @@
 #include "scene/clean/clean.hpp"
 
 #include "mended_scene.hpp"
-#include "scene/clean/weld_near.hpp"
+#include "scene/clean/weld.hpp"
 #include "scene/model/topology.hpp"
 #include "support/test.hpp"
 

@@ -15,7 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/clean/clean.hpp"
-#include "scene/clean/weld_near.hpp"
+#include "scene/clean/weld.hpp"
 #include "scene/heal/heal.hpp"
 #include "scene/readers/reader.hpp"
 #include "support/standard.hpp"

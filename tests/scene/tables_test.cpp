@@ -4,8 +4,8 @@
 #include "main/script.hpp"
 #include "scene/model/precision.hpp"
 #include "scene/readers/text_lines.hpp"
+#include "scene/surfaces/height_filters.hpp"
 #include "scene/surfaces/surface_mesh.hpp"
-#include "scene/surfaces/thinned_heights.hpp"
 #include "scene/tables/column_names.hpp"
 #include "scene/tables/table.hpp"
 

@@ -7,7 +7,6 @@
 #include "scene/clean/crossing_edges.hpp"
 #include "scene/model/find_edges.hpp"
 #include "scene/model/self_contact.hpp"
-#include "scene/model/triangle_contact.hpp"
 #include "scene/surfaces/surface_mesh.hpp"
 #include "support/round_bodies.hpp"
 

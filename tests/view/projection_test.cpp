@@ -3,7 +3,7 @@
 
 #include <glm/vec4.hpp>
 
-#include "scene/model/object_sizes.hpp"
+#include "scene/model/bounds.hpp"
 #include "support/scenes.hpp"
 #include "view/clip.hpp"
 #include "view/edge_classes.hpp"

@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "scene/clean/weld.hpp"
-#include "scene/clean/weld_near.hpp"
 
 namespace ligne {
 namespace {

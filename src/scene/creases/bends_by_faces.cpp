@@ -9,7 +9,7 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "scene/creases/across_edge.hpp"
-#include "scene/model/object_sizes.hpp"
+#include "scene/model/bounds.hpp"
 
 namespace ligne {
 namespace {

@@ -18,9 +18,8 @@
 #include "scene/creases/loose_creases.hpp"
 #include "scene/creases/parallel_bends.hpp"
 #include "scene/creases/plane_rims.hpp"
-#include "scene/creases/plane_slivers.hpp"
 #include "scene/creases/trace_creases.hpp"
-#include "scene/model/object_sizes.hpp"
+#include "scene/model/bounds.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
 
 namespace ligne {

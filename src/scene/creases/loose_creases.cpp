@@ -10,7 +10,7 @@
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "scene/model/object_sizes.hpp"
+#include "scene/model/bounds.hpp"
 
 namespace ligne {
 namespace {

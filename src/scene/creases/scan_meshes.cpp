@@ -15,7 +15,7 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "geometry/degrees.hpp"
-#include "scene/model/object_sizes.hpp"
+#include "scene/model/bounds.hpp"
 
 namespace ligne {
 namespace {

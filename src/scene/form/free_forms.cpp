@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "scene/model/bounds.hpp"
 #include "scene/model/face_area.hpp"
-#include "scene/model/object_sizes.hpp"
 
 namespace ligne {
 namespace {

@@ -7,7 +7,7 @@
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "scene/heal/segment_cells.hpp"
+#include "scene/heal/edge_tree.hpp"
 #include "scene/model/planarity.hpp"
 
 namespace ligne {

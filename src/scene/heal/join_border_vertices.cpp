@@ -1,4 +1,4 @@
-// The vertices that stay are kept in a hashed grid of cells two distances wide, as in clean/weld_near.cpp: everything
+// The vertices that stay are kept in a hashed grid of cells two distances wide, as in clean/weld.cpp: everything
 // near enough to a vertex lies in its own cell or beyond the cell's nearer walls. Many vertices that must not be joined
 // can lie in one cell. Only kMostTried of them are tested, so that time grows with the number of vertices.
 

@@ -17,7 +17,6 @@
 #include "scene/patches/facets/cut_strips.hpp"
 #include "scene/patches/facets/flat_joints.hpp"
 #include "scene/patches/facets/flat_sets.hpp"
-#include "scene/patches/facets/inflections.hpp"
 
 namespace ligne {
 namespace {

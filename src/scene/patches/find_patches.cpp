@@ -14,7 +14,7 @@
 #include "scene/patches/parts/large_freeform.hpp"
 #include "scene/patches/repeated_objects.hpp"
 #include "scene/patches/search/patch_finder.hpp"
-#include "scene/patches/swept/swept_profile.hpp"
+#include "scene/patches/swept/profile_curve.hpp"
 #include "scene/patches/swept/swept_surfaces.hpp"
 
 namespace ligne {

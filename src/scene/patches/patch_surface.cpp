@@ -4,11 +4,37 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "scene/patches/normal_at.hpp"
-#include "scene/patches/swept/swept_profile.hpp"
+#include "scene/patches/swept/profile_curve.hpp"
 
 namespace ligne {
 namespace {
+
+/// PatchSurface::normal(p), but with `place` given, which must be axis_place(s, p). Spheres do not
+/// read `place`.
+inline Point3 normal_at(const PatchSurface& s, const Point3& p, const AxisPlace& place) {
+  const auto unit = [&](const Point3& way) {
+    const double length = glm::length(way);
+    return length > 0 ? way / length : s.axis;
+  };
+  switch (s.kind) {
+    case SurfaceKind::sphere:
+      return unit(p - s.at);
+    case SurfaceKind::cone:
+      return unit(place.out - s.slope * s.axis);
+    case SurfaceKind::torus:
+      return unit((place.radius - s.radius) * place.out + place.along * s.axis);
+    case SurfaceKind::extruded: {
+      const Point2 normal = swept_foot(s, p).normal;
+      return normal.x * s.profile->x + normal.y * s.profile->y;
+    }
+    case SurfaceKind::revolved: {
+      const Point2 normal = s.profile->curve.foot({place.radius, place.along}).normal;
+      return normal.x * place.out + normal.y * s.axis;
+    }
+    default:
+      return place.out;
+  }
+}
 
 /// Adjustable. For adjacent pieces of a bent tube: largest relative difference of their radii, and least and largest sine
 /// of the angle between their axes.

@@ -13,7 +13,7 @@
 #include "files/utf16.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/clean/far_vertices.hpp"
-#include "scene/clean/weld_near.hpp"
+#include "scene/clean/weld.hpp"
 #include "scene/creases/file_shading.hpp"
 #include "scene/readers/format_readers.hpp"
 #include "scene/readers/scene_builder.hpp"

@@ -1,12 +1,14 @@
 #pragma once
 /// Height sources that change other ones.
 
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "geometry/point.hpp"
+#include "scene/model/diagnostics.hpp"
 #include "scene/surfaces/height_source.hpp"
 
 namespace ligne {
@@ -57,5 +59,18 @@ struct AxisWindow {
 /// remain.
 std::unique_ptr<HeightSource> window_heights(std::unique_ptr<HeightSource> heights, AxisWindow x, AxisWindow y,
                                              const std::string& name);
+
+/// The step n such that every nth row and column is read, and the last of each; 1 if the grid is read in full.
+std::size_t thinning_step(std::size_t columns, std::size_t rows, const GridChoice& choice);
+
+/// Indices of the `n` rows or columns that are kept.
+std::vector<std::size_t> kept_places(std::size_t n, std::size_t step);
+
+/// Warns that a grid is thinned.
+void warn_of_thinning(std::size_t columns, std::size_t rows, std::size_t step, Warnings& warnings);
+
+/// The heights, thinned if there are too many. Heights of a function stay unchanged.
+std::unique_ptr<HeightSource> thinned_heights(std::unique_ptr<HeightSource> heights, const GridChoice& choice,
+                                              Warnings& warnings);
 
 }  // namespace ligne

@@ -84,7 +84,7 @@ struct GridChoice {
 };
 
 /// Reads the heights of a grid file: a CSV or TSV matrix, lines of "x y z", ESRI ASCII grid, PGM or PNG of 8 or 16
-/// bits. The content decides the format; "-" is standard input. Grids are thinned (thinned_heights.hpp) if the choice
+/// bits. The content decides the format; "-" is standard input. Grids are thinned (height_filters.hpp) if the choice
 /// allows it. NODATA and NaN are holes; rows of pictures run from north (the largest y) to south. Throws
 /// InputError("FILE[:LINE]: cause"). Adds the file, and others read with it, to `opened`.
 std::unique_ptr<HeightSource> read_grid(const std::filesystem::path& file, Warnings& warnings, InputFiles* opened = nullptr,

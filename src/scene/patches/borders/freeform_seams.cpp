@@ -11,8 +11,8 @@
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "scene/model/object_sizes.hpp"
-#include "scene/patches/borders/seam_line.hpp"
+#include "scene/model/bounds.hpp"
+#include "scene/patches/borders/seam_section.hpp"
 #include "scene/patches/freeform.hpp"
 
 namespace ligne {

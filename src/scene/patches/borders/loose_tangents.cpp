@@ -6,12 +6,11 @@
 #include "base/disjoint_sets.hpp"
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
-#include "scene/model/object_sizes.hpp"
+#include "scene/model/bounds.hpp"
 #include "scene/model/topology.hpp"
 #include "scene/patches/borders/edge_chains.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
-#include "scene/patches/borders/strip_sides.hpp"
-#include "scene/patches/borders/unlike_surfaces.hpp"
+#include "scene/patches/borders/tangent_evidence.hpp"
 
 namespace ligne {
 namespace {

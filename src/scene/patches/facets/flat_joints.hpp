@@ -1,5 +1,5 @@
 #pragma once
-/// Edges at which two faces lie in one plane.
+/// Edges at which two faces lie in one plane, but for those where a surface goes over into one that bends otherwise.
 
 #include <cstddef>
 #include <cstdint>
@@ -48,5 +48,13 @@ std::vector<std::uint32_t> flat_joints(const Scene& scene, const Topology& topol
   prefetch(scene.vertices, corners.subspan(3 * std::size_t{edge.face0}, 3));
   if (edge.face1 != kNone) prefetch(scene.vertices, corners.subspan(3 * std::size_t{edge.face1}, 3));
 }
+
+/// Those of `joints` that are no inflections. The chords of two surfaces that are divided at equal angles leave their common
+/// ruling at half of that angle. So where they bend to opposite sides, the strips on both sides of it lie in one plane,
+/// though two surfaces meet there. Beyond both strips the facets bend alike, to opposite sides, at edges about parallel to
+/// the ruling. `joints`: those of flat_joints(), indices from `first_edge` on. `normals` are those of face_normals(). O(log
+/// n) for each.
+std::vector<std::uint32_t> without_inflections(const Scene& scene, const Topology& topology, std::uint32_t first_edge,
+                                               std::span<const glm::vec3> normals, std::span<const std::uint32_t> joints);
 
 }  // namespace ligne

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/no_index.hpp"
-#include "scene/patches/swept/swept_profile.hpp"
+#include "scene/patches/swept/profile_curve.hpp"
 
 namespace ligne {
 namespace {

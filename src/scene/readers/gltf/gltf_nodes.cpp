@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <utility>
-
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "base/no_index.hpp"
 #include "scene/model/polygon_faces.hpp"
@@ -105,6 +108,9 @@ std::vector<glm::dmat4> instance_matrices(GltfDocument& document, const std::str
   return matrices;
 }
 
+/// Smallest opacity of materials with transmission: even if it transmits all light, its lines belong to an object.
+constexpr double kTransmissionOpacity = 0.1;
+
 }  // namespace
 
 glm::dmat4 matrix_of(const std::vector<double>& translation, const std::vector<double>& rotation,
@@ -188,6 +194,41 @@ void add_gpu_instances(GltfDocument& document, std::size_t most, std::vector<Glt
     if (all.size() > most) document.fail(place, "has more than " + std::to_string(most) + " instances");
   }
   instances = std::move(all);
+}
+
+Material scene_material(const tinygltf::Material& from) {
+  Material material;
+  material.name = from.name;
+  const std::vector<double>& c = from.pbrMetallicRoughness.baseColorFactor;
+  material.color = glm::clamp(Point3(c[0], c[1], c[2]), 0.0, 1.0);
+  // Only BLEND makes a face transparent: OPAQUE ignores the alpha value, MASK compares it (section 3.9.4).
+  if (from.alphaMode == "BLEND") material.opacity = std::clamp(c[3], 0.0, 1.0);
+  if (const auto transmission = from.extensions.find(kTransmissionExtension); transmission != from.extensions.end()) {
+    const double through = transmission->second.Get("transmissionFactor").GetNumberAsDouble();
+    material.opacity = std::min(material.opacity, std::max(1 - through, kTransmissionOpacity));
+  }
+  return material;
+}
+
+std::optional<SceneCamera> scene_camera(const tinygltf::Model& model, const GltfCamera& from, std::size_t number) {
+  const tinygltf::Camera& camera = model.cameras[from.camera];
+  const tinygltf::Node& node = model.nodes[from.node];
+  const auto axis = [&](int k) { return Point3(from.to_world[k][0], from.to_world[k][1], from.to_world[k][2]); };
+  SceneCamera to;
+  to.name = !node.name.empty() ? node.name : camera.name;
+  if (to.name.empty()) to.name = std::to_string(number);
+  to.eye = axis(3);
+  to.forward = -axis(2);
+  to.up = axis(1);
+  to.perspective = camera.type != "orthographic";
+  if (to.perspective) {
+    to.fov_degrees = camera.perspective.yfov * 180 / std::numbers::pi;
+    if (camera.perspective.aspectRatio > 0) to.aspect = camera.perspective.aspectRatio;
+  }
+  const double size = glm::length(to.eye) + glm::length(to.forward) + glm::length(*to.up);
+  const bool looks = std::isfinite(size) && glm::length(glm::cross(to.forward, *to.up)) > 0;
+  if (!looks || !(to.fov_degrees > 0 && to.fov_degrees < 180)) return std::nullopt;
+  return to;
 }
 
 }  // namespace ligne

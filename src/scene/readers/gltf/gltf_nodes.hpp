@@ -1,11 +1,12 @@
 #pragma once
-/// The node hierarchy of a glTF file.
+/// The node hierarchy of a glTF file, its cameras and its materials.
 
 #include <cstddef>
+#include <glm/mat4x4.hpp>
+#include <optional>
 #include <vector>
 
-#include <glm/mat4x4.hpp>
-
+#include "scene/model/scene.hpp"
 #include "scene/readers/gltf/gltf_document.hpp"
 
 namespace ligne {
@@ -49,5 +50,11 @@ double largest_stretch(const glm::dmat4& m);
 /// applied before that of the node. Throws InputError if the attributes disagree, or if there are more than `most` in
 /// all.
 void add_gpu_instances(GltfDocument& document, std::size_t most, std::vector<GltfInstance>& instances);
+
+Material scene_material(const tinygltf::Material& from);
+
+/// A camera, which looks along -z of its node with y up; nothing if its numbers are meaningless. One without a name is named
+/// by `number`, so that it can be selected.
+std::optional<SceneCamera> scene_camera(const tinygltf::Model& model, const GltfCamera& from, std::size_t number);
 
 }  // namespace ligne

@@ -18,7 +18,6 @@
 #include "base/parallel.hpp"
 #include "scene/readers/gltf/gltf_document.hpp"
 #include "scene/readers/gltf/gltf_extensions.hpp"
-#include "scene/readers/gltf/gltf_looks.hpp"
 #include "scene/readers/gltf/gltf_nodes.hpp"
 #include "scene/readers/gltf/gltf_primitive.hpp"
 

@@ -5,8 +5,8 @@
 
 #include "scene/readers/text_lines.hpp"
 #include "scene/surfaces/grids/grid_formats.hpp"
+#include "scene/surfaces/height_filters.hpp"
 #include "scene/surfaces/held_heights.hpp"
-#include "scene/surfaces/thinned_heights.hpp"
 
 namespace ligne {
 namespace {

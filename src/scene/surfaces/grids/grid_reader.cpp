@@ -9,8 +9,8 @@
 #include "scene/readers/text_lines.hpp"
 #include "scene/surfaces/grids/data_file.hpp"
 #include "scene/surfaces/grids/grid_formats.hpp"
+#include "scene/surfaces/height_filters.hpp"
 #include "scene/surfaces/held_heights.hpp"
-#include "scene/surfaces/thinned_heights.hpp"
 #include "scene/tables/cell_value.hpp"
 #include "scene/tables/unpack.hpp"
 

@@ -1,6 +1,7 @@
 #pragma once
-/// Borders at which the shape of a part changes by the kinds of its surfaces.
+/// The evidence of a tangent line that the surfaces and faces beside an edge give.
 
+#include <cstdint>
 #include <vector>
 
 #include "scene/model/scene.hpp"
@@ -20,5 +21,13 @@ bool are_unlike(const Scene& scene, const Patches& patches, const Edge& edge);
 /// tube begins to bend, the curvatures across its ring cross at two places. O(n log n).
 void close_unlike_borders(const Scene& scene, const Topology& topology, const Patches& patches,
                           std::vector<PatchEdge>& edges);
+
+/// Whether an edge is a side of a strip of a cylinder, which is kStripLength times as long as the face is wide. If the file
+/// shades the edge smooth, the rules for meshes decide.
+bool is_of_strip(const Scene& scene, const Topology& topology, const Patches& patches, std::uint32_t e);
+
+/// Whether an edge lies between a plane and the free form of a constructed part, whose face is kRowLength times as long
+/// there as it is wide. Rows of narrow faces follow the ruling at which a rounding without a surface ends.
+bool is_of_row_at_plane(const Scene& scene, const Topology& topology, const Patches& patches, std::uint32_t e);
 
 }  // namespace ligne
