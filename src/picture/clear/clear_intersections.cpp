@@ -14,7 +14,7 @@
 #include "geometry/nearest_on_segment.hpp"
 #include "scene/contacts/chord_errors.hpp"
 #include "scene/heal/edge_tree.hpp"
-#include "scene/model/face_area.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/model/topology.hpp"
 
 namespace ligne {
@@ -84,7 +84,7 @@ class ContactErrors {
     const Turn across{errors_.bend(face), errors_.of(face)};
     if (patches_.patch_of.size() > face && patches_.patch_of[face] != kNone) return across;
     double length = 0;
-    for_each_edge(scene_, face, [&](std::uint32_t v, std::uint32_t w) {
+    for_sides(scene_.faces, face, [&](std::uint32_t v, std::uint32_t w) {
       length = std::max(length, glm::distance(scene_.vertices[v], scene_.vertices[w]));
     });
     const double area = glm::length(double_area(scene_, face));
@@ -213,7 +213,7 @@ RimLines::RimLines(const Scene& scene, const FaceNeighbours& neighbours, const C
   std::vector<EdgeTree::Segment> places;
   for (const std::uint32_t face : faces) {
     const Point3 normal = face_normal(scene, face);
-    for_each_edge(scene, face, [&](std::uint32_t v, std::uint32_t w) {
+    for_sides(scene.faces, face, [&](std::uint32_t v, std::uint32_t w) {
       const std::uint32_t other = neighbours.across(face, v, w);
       if (other != kNone && glm::distance(face_normal(scene, other), normal) <= smooth) return;
       rims_.push_back({std::min(v, w), std::max(v, w), face, other, other == kNone ? 0 : errors.of(other)});

@@ -6,17 +6,11 @@
 
 #include "base/large_vector.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "base/portable.hpp"
 
 namespace ligne {
 namespace {
-
-template <class Work>
-void for_blocks(std::size_t n, const Work& work) {
-  parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i != end; ++i) work(i);
-  });
-}
 
 /// The new index of each of n vertices, or of the next one that stays; behind these, the number of those that stay.
 template <class IsKept>
@@ -44,7 +38,7 @@ std::vector<std::uint32_t> new_numbers(std::size_t n, const IsKept& stays) {
 template <class IsKept>
 void keep_vertices(Scene& scene, const std::vector<std::uint32_t>& number, const IsKept& stays) {
   std::vector<Point3> kept = large_vector<Point3>(number.back());
-  for_blocks(scene.vertices.size(), [&](std::size_t v) {
+  parallel_each(scene.vertices.size(), [&](std::size_t v) {
     if (stays(v)) kept[number[v]] = scene.vertices[v];
   });
   scene.vertices = std::move(kept);
@@ -61,7 +55,7 @@ void drop_unused_vertices(Scene& scene) {
   const std::size_t n = scene.vertices.size();
   // Several threads may mark one vertex; all write the same value.
   std::vector<std::uint8_t> used(n, 0);
-  for_blocks(corners.size(), [&](std::size_t k) {
+  parallel_each(corners.size(), [&](std::size_t k) {
     AtomicRef<std::uint8_t> mark(used[corners[k]]);
     if (!mark.load(std::memory_order_relaxed)) mark.store(1, std::memory_order_relaxed);
   });
@@ -69,7 +63,7 @@ void drop_unused_vertices(Scene& scene) {
   const std::vector<std::uint32_t> new_index = new_numbers(n, stays);
   if (new_index.back() == n) return;
   keep_vertices(scene, new_index, stays);
-  for_blocks(corners.size(), [&](std::size_t k) { corners[k] = new_index[corners[k]]; });
+  parallel_each(corners.size(), [&](std::size_t k) { corners[k] = new_index[corners[k]]; });
 }
 
 void merge_vertices(Scene& scene, std::vector<std::uint32_t> target) {
@@ -78,7 +72,7 @@ void merge_vertices(Scene& scene, std::vector<std::uint32_t> target) {
   keep_vertices(scene, number, stays);
   for (std::uint32_t& to : target) to = number[to];
   const std::span<std::uint32_t> corners = scene.faces.corners();
-  for_blocks(corners.size(), [&](std::size_t k) { corners[k] = target[corners[k]]; });
+  parallel_each(corners.size(), [&](std::size_t k) { corners[k] = target[corners[k]]; });
 }
 
 void renumber_faces(Scene& scene, const std::vector<std::uint32_t>& first_new, Warnings& warnings) {

@@ -20,6 +20,7 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "base/parallel_counting_sort.hpp"
+#include "base/parallel_each.hpp"
 #include "base/uninitialized_vector.hpp"
 #include "scene/clean/near_cells.hpp"
 
@@ -56,12 +57,13 @@ struct Parts {
 Parts sort_into_parts(const std::vector<Point3>& vertices, std::vector<std::uint32_t>& first) {
   const std::size_t n = vertices.size();
   UninitializedVector<std::uint32_t> hashes(n);
-  parallel_blocks(n, kBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      first[i] = is_finite(vertices[i]) ? static_cast<std::uint32_t>(i) : kNone;
-      hashes[i] = hash(vertices[i]);
-    }
-  });
+  parallel_each(
+      n,
+      [&](std::size_t i) {
+        first[i] = is_finite(vertices[i]) ? static_cast<std::uint32_t>(i) : kNone;
+        hashes[i] = hash(vertices[i]);
+      },
+      kBlock);
   Parts parts;
   const auto list = [&](std::size_t begin, std::size_t end, const auto& take) {
     for (std::size_t i = begin; i < end; ++i) {

@@ -9,6 +9,7 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "geometry/degrees.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/model/topology.hpp"
 
 namespace ligne {
@@ -23,9 +24,8 @@ double width_from(const Scene& scene, std::uint32_t face, const Point3& normal, 
   const Point3 origin = scene.vertices[v0];
   const Point3 across = glm::cross(normal, glm::normalize(scene.vertices[v1] - origin));
   double width = 0;
-  for_each_edge(scene, face, [&](std::uint32_t v, std::uint32_t) {
+  for (const std::uint32_t v : corners_of(scene.faces, face))
     width = std::max(width, std::abs(glm::dot(scene.vertices[v] - origin, across)));
-  });
   return width;
 }
 
@@ -86,7 +86,7 @@ double ChordErrors::bend(std::uint32_t face) const { return bends_[place_of(face
 FaceNeighbours::FaceNeighbours(const Scene& scene, const std::vector<std::uint32_t>& faces) {
   std::vector<std::uint8_t> at_face(scene.vertices.size(), 0);
   for (const std::uint32_t f : faces) {
-    for_each_edge(scene, f, [&](std::uint32_t v, std::uint32_t) { at_face[v] = 1; });
+    for (const std::uint32_t v : corners_of(scene.faces, f)) at_face[v] = 1;
   }
   for (const Object& object : scene.objects) {
     const auto first = std::lower_bound(faces.begin(), faces.end(), object.face_begin);
@@ -96,7 +96,7 @@ FaceNeighbours::FaceNeighbours(const Scene& scene, const std::vector<std::uint32
     parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const auto f = static_cast<std::uint32_t>(object.face_begin + i);
-        for_each_edge(scene, f, [&](std::uint32_t v, std::uint32_t w) {
+        for_sides(scene.faces, f, [&](std::uint32_t v, std::uint32_t w) {
           if (at_face[v] && at_face[w]) found[begin / kShortWorkBlock].push_back({std::min(v, w), std::max(v, w), f});
         });
       }

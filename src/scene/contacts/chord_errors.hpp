@@ -11,17 +11,6 @@
 
 namespace ligne {
 
-/// Finds the neighbours of some faces of a scene.
-
-/// Calls visit(v, w) for every edge of the face, holes too, in the direction of its contours.
-template <class Visit>
-void for_each_edge(const Scene& scene, std::uint32_t face, Visit visit) {
-  for (std::size_t c = 0; c < scene.faces.contour_count(face); ++c) {
-    const auto contour = scene.faces.contour(face, c);
-    for (std::size_t i = 0; i < contour.size(); ++i) visit(contour[i], contour[(i + 1) % contour.size()]);
-  }
-}
-
 /// Neighbours of a few faces, found without the topology of the whole scene.
 class FaceNeighbours {
  public:

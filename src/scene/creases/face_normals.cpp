@@ -14,6 +14,7 @@
 #include "base/parallel.hpp"
 #include "base/prefetch.hpp"
 #include "scene/model/face_shape.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/model/planarity.hpp"
 
 namespace ligne {
@@ -192,9 +193,8 @@ std::vector<std::uint32_t> turn_plane_slivers(const Scene& scene, const Topology
   for (const std::uint32_t sliver : turned) {
     const auto corners = scene.faces.contour(sliver, 0);
     for (std::size_t k = 0; k < corners.size(); ++k) {
-      const Edge* edge = find_edge(topology, {corners[k], corners[(k + 1) % corners.size()]});
-      if (!edge || edge->face1 == kNone) continue;
-      const auto e = static_cast<std::uint32_t>(edge - topology.edges.data());
+      const std::uint32_t e = edge_between(topology, corners[k], corners[(k + 1) % corners.size()]);
+      if (e == kNone || topology.edges[e].face1 == kNone) continue;
       if (!std::ranges::binary_search(plane_edges, e)) edges.push_back(e);
     }
   }

@@ -17,7 +17,7 @@
 #include "scene/creases/across_edge.hpp"
 #include "scene/creases/loose_creases.hpp"
 #include "scene/model/bounds.hpp"
-#include "scene/model/face_area.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 
@@ -325,9 +325,7 @@ class Fader {
 
   double area_of(std::uint32_t face) const { return glm::length(double_area(scene_, face)) / 2; }
 
-  double length_of(std::uint32_t e) const {
-    return glm::distance(scene_.vertices[topology_.edges[e].v0], scene_.vertices[topology_.edges[e].v1]);
-  }
+  double length_of(std::uint32_t e) const { return edge_length(scene_, topology_.edges[e]); }
 
   /// Adds the edges that go of the run from a free end, and the vertex where they stop.
   void fade(std::uint32_t tip, std::vector<std::uint32_t>& faded, std::vector<std::uint32_t>& left) {

@@ -10,6 +10,7 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "base/vertex_pair_index.hpp"
 #include "scene/model/topology.hpp"
 
@@ -128,19 +129,14 @@ class Marker {
     normals_.resize(scene_.faces.size());
     is_flat_.resize(shaded.size(), 0);
     const double flat = cosine(kFlatShadingDegrees);
-    parallel_blocks(normals_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t f = begin; f < end; ++f) {
-        normals_[f] = face_normal(scene_, static_cast<std::uint32_t>(f));
-        for (std::size_t c = 0; !shaded.empty() && c < scene_.faces.contour_count(f); ++c) {
-          const std::size_t first = scene_.faces.corner_index(f, c);
-          const std::size_t last = first + std::as_const(scene_.faces).contour(f, c).size();
-          for (std::size_t k = first; k < last; ++k) {
-            if (shaded[k] == 0) continue;
-            const Point3 direction = unpacked_direction(shaded[k]);
-            const double d = glm::dot(direction, normals_[f]);
-            is_flat_[k] = d * d >= flat * flat * glm::dot(direction, direction);
-          }
-        }
+    parallel_each(normals_.size(), [&](std::size_t f) {
+      normals_[f] = face_normal(scene_, static_cast<std::uint32_t>(f));
+      if (shaded.empty()) return;
+      for (std::size_t k = scene_.faces.corner_index(f, 0); k < scene_.faces.corner_index(f + 1, 0); ++k) {
+        if (shaded[k] == 0) continue;
+        const Point3 direction = unpacked_direction(shaded[k]);
+        const double d = glm::dot(direction, normals_[f]);
+        is_flat_[k] = d * d >= flat * flat * glm::dot(direction, direction);
       }
     });
   }

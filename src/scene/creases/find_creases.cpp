@@ -20,6 +20,7 @@
 #include "scene/creases/plane_rims.hpp"
 #include "scene/creases/trace_creases.hpp"
 #include "scene/model/bounds.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
 
 namespace ligne {
@@ -174,9 +175,7 @@ class Finder {
     Chain& of(std::uint32_t node) { return list[sets.find(node)]; }
   };
 
-  double length_of(std::uint32_t e) const {
-    return glm::distance(scene_.vertices[topology_.edges[e].v0], scene_.vertices[topology_.edges[e].v1]);
-  }
+  double length_of(std::uint32_t e) const { return edge_length(scene_, topology_.edges[e]); }
 
   Chains chains() const {
     Chains found{DisjointSets(nodes_.size()), std::vector<Chain>(nodes_.size()), {}};
@@ -226,8 +225,7 @@ class Finder {
 
   /// Unit vector along an edge to the vertex of a node.
   Point3 direction_to(std::uint32_t node, std::uint32_t e) const {
-    const Edge& edge = topology_.edges[e];
-    const std::uint32_t v = nodes_[node].vertex, from = edge.v0 == v ? edge.v1 : edge.v0;
+    const std::uint32_t v = nodes_[node].vertex, from = other_end(topology_.edges[e], v);
     return glm::normalize(scene_.vertices[v] - scene_.vertices[from]);
   }
 
@@ -258,8 +256,7 @@ class Finder {
       is_clear = is_clear && ends.size() == 2 && !is_inside_rounding(rows_, best);
       length += length_of(best);
       if (length > longest && !is_clear) return {};
-      const Edge& edge = topology_.edges[best];
-      node = node_of(edge.v0 == nodes_[node].vertex ? edge.v1 : edge.v0);
+      node = node_of(other_end(topology_.edges[best], nodes_[node].vertex));
       e = best;
       if (nodes_[node].creases > 0) {
         if (length > found.of(node).length && !(is_clear && found.of(node).edges >= kCertainEdges)) return {};
@@ -325,8 +322,7 @@ class Finder {
         if (bends_[end.edge] != Bend::strong) continue;
         const Edge& edge = topology_.edges[end.edge];
         if (length_of(end.edge) >= kSpurPart * size_at(edge.v0)) continue;
-        const std::uint32_t other = edge.v0 == nodes_[node].vertex ? edge.v1 : edge.v0;
-        if (creases_at(node_of(other)) >= 3) spurs.push_back(end.edge);
+        if (creases_at(node_of(other_end(edge, nodes_[node].vertex))) >= 3) spurs.push_back(end.edge);
       }
     }
     for (const std::uint32_t e : spurs) bends_[e] = Bend::none;

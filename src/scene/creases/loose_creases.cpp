@@ -11,6 +11,7 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "scene/model/bounds.hpp"
+#include "scene/model/faces_and_edges.hpp"
 
 namespace ligne {
 namespace {
@@ -127,15 +128,13 @@ class BluntCreases {
       for (std::size_t k = begin; k < end; ++k) {
         const auto contour = scene_.faces.contour(faces[k], 0);
         for (std::size_t i = 0; i < contour.size(); ++i) {
-          const auto [low, high] = std::minmax(contour[i], contour[i + 1 == contour.size() ? 0 : i + 1]);
-          const Edge* side = find_edge(topology_, {low, high});
-          if (!side || side->face1 == kNone) continue;
-          const auto number = static_cast<std::uint32_t>(side - topology_.edges.data());
-          if (is_in(seen, number) || (topology_.edge_flags[number] & (kEdgeManyFaces | kEdgeUnlikeWound))) continue;
-          seen.push_back(number);
-          const std::uint32_t beyond = side->face0 == faces[k] ? side->face1 : side->face0;
+          const std::uint32_t side = edge_between(topology_, contour[i], contour[i + 1 == contour.size() ? 0 : i + 1]);
+          if (side == kNone || topology_.edges[side].face1 == kNone || is_in(seen, side)) continue;
+          if (topology_.edge_flags[side] & (kEdgeManyFaces | kEdgeUnlikeWound)) continue;
+          seen.push_back(side);
+          const std::uint32_t beyond = other_face(topology_.edges[side], faces[k]);
           if (ring < kRingsAround && faces.size() < kMostFacesAround && !is_in(faces, beyond)) faces.push_back(beyond);
-          if (!is_crease(number)) sum.add(length_of(number), bend(number));
+          if (!is_crease(side)) sum.add(length_of(side), bend(side));
         }
       }
       begin = end;
@@ -147,9 +146,7 @@ class BluntCreases {
     return std::ranges::count(list, number) > 0;
   }
 
-  double length_of(std::uint32_t e) const {
-    return glm::distance(scene_.vertices[topology_.edges[e].v0], scene_.vertices[topology_.edges[e].v1]);
-  }
+  double length_of(std::uint32_t e) const { return edge_length(scene_, topology_.edges[e]); }
   double bend(std::uint32_t e) const { return edges_.rows.bend(e, topology_.edges[e].face0); }
 
   const Scene& scene_;
@@ -192,8 +189,7 @@ std::size_t drop_loose_creases(const Scene& scene, const Topology& topology, con
   const auto is_loose = [&](std::uint32_t tip, const FreeEnds::Run& run) {
     if (run.edges.empty()) return false;
     double length = 0;
-    for (const std::uint32_t e : run.edges)
-      length += glm::distance(scene.vertices[topology.edges[e].v0], scene.vertices[topology.edges[e].v1]);
+    for (const std::uint32_t e : run.edges) length += edge_length(scene, topology.edges[e]);
     if (length >= kLoosePart * edges.sizes[object_of_vertex(scene, tip)]) return false;
     if (std::ranges::all_of(run.edges, is_smooth)) return true;
     const bool is_firm = std::ranges::any_of(run.edges, [&](std::uint32_t e) { return bends[e] == Bend::firm; });

@@ -9,6 +9,7 @@
 
 #include "scene/creases/bend.hpp"
 #include "scene/creases/parallel_bends.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 
@@ -30,8 +31,7 @@ class FreeEnds {
   bool is_free(std::uint32_t vertex) const { return only_crease_at(vertex, kNone) != kNone && !is_anchor_(vertex); }
   bool is_crease(std::uint32_t e) const { return bends_[e] >= Bend::strong; }
   std::uint32_t other_end(std::uint32_t e, std::uint32_t vertex) const {
-    const Edge& edge = topology_.edges[e];
-    return edge.v0 == vertex ? edge.v1 : edge.v0;
+    return ligne::other_end(topology_.edges[e], vertex);
   }
 
   struct Run {

@@ -8,6 +8,7 @@
 
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
+#include "scene/model/faces_and_edges.hpp"
 
 namespace ligne {
 namespace {
@@ -105,7 +106,7 @@ bool stands_out(const EdgeRows& rows, std::uint32_t edge, const RowBends& bends)
 bool is_line(const Scene& scene, const Topology& topology, const EdgeRows& rows, std::span<const std::uint32_t> way) {
   double standing = 0;
   for (const std::uint32_t e : way) {
-    const double length = glm::distance(scene.vertices[topology.edges[e].v0], scene.vertices[topology.edges[e].v1]);
+    const double length = edge_length(scene, topology.edges[e]);
     if (!stands_out(rows, e, kEvenBends)) {
       standing -= length;
     } else {

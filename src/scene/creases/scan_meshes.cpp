@@ -16,6 +16,7 @@
 #include "base/parallel.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/model/bounds.hpp"
+#include "scene/model/faces_and_edges.hpp"
 
 namespace ligne {
 namespace {
@@ -67,7 +68,7 @@ double least_flat_cosine(const Scene& scene, const Topology& topology, const Sca
   const std::size_t step = std::max<std::size_t>(1, (object.edge_end - object.edge_begin) / kSamples);
   double length = 0, count = 0;
   for (std::size_t e = object.edge_begin; e < object.edge_end; e += step, ++count)
-    length += glm::distance(scene.vertices[topology.edges[e].v0], scene.vertices[topology.edges[e].v1]);
+    length += edge_length(scene, topology.edges[e]);
   const double turn = kFlatRoundings * precision * count / std::max(length, precision);
   return std::clamp(std::cos(turn), sine_cosine_degrees(kMostFlatDegrees).cosine,
                     sine_cosine_degrees(kLeastFlatDegrees).cosine);
@@ -81,7 +82,7 @@ std::vector<double> edge_lengths(const Scene& scene, const Topology& topology, c
   lengths.reserve(std::min(count, kMostLengths + kRun));
   for (std::size_t first = object.edge_begin; first < object.edge_end; first += step) {
     for (std::size_t e = first; e < std::min<std::size_t>(first + kRun, object.edge_end); ++e)
-      lengths.push_back(glm::distance(scene.vertices[topology.edges[e].v0], scene.vertices[topology.edges[e].v1]));
+      lengths.push_back(edge_length(scene, topology.edges[e]));
   }
   return lengths;
 }

@@ -11,6 +11,7 @@
 #include "base/no_index.hpp"
 #include "base/stop.hpp"
 #include "scene/creases/across_edge.hpp"
+#include "scene/model/faces_and_edges.hpp"
 
 namespace ligne {
 namespace {
@@ -77,21 +78,17 @@ SheetEdges find_sheet_edges(const Scene& scene, const Topology& topology, float 
   std::vector<std::uint8_t> is_lower_end(scene.vertices.size(), 0);  // of such an edge
   for (const auto& [ends, e] : wanted) is_lower_end[ends.first] = 1;
   for (std::uint32_t f = 0; f < scene.faces.size(); ++f) {
-    for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
-      const auto contour = scene.faces.contour(f, c);
-      for (std::size_t k = 0; k < contour.size(); ++k) {
-        const auto [low, high] = std::minmax(contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]);
-        if (!is_lower_end[low]) continue;
-        const std::pair key(std::pair(low, high), std::size_t{0});
-        const auto at = std::lower_bound(wanted.begin(), wanted.end(), key);
-        if (at == wanted.end() || at->first != key.first) continue;
-        const auto i = static_cast<std::size_t>(at - wanted.begin());
-        if (std::exchange(last_face[i], f) == f) continue;
-        check_stop();
-        const Point3 across = across_face(scene, topology.edges[at->second], f);
-        if (across != Point3(0)) sheets.push_back({i, across / glm::length(across), face_normal(scene, f)});
-      }
-    }
+    for_sides(scene.faces, f, [&](std::uint32_t v, std::uint32_t w) {
+      const std::pair<std::uint32_t, std::uint32_t> ends = std::minmax(v, w);
+      if (!is_lower_end[ends.first]) return;
+      const auto at = std::lower_bound(wanted.begin(), wanted.end(), std::pair(ends, std::size_t{0}));
+      if (at == wanted.end() || at->first != ends) return;
+      const auto i = static_cast<std::size_t>(at - wanted.begin());
+      if (std::exchange(last_face[i], f) == f) return;
+      check_stop();
+      const Point3 across = across_face(scene, topology.edges[at->second], f);
+      if (across != Point3(0)) sheets.push_back({i, across / glm::length(across), face_normal(scene, f)});
+    });
   }
   std::stable_sort(sheets.begin(), sheets.end(), [](const Sheet& a, const Sheet& b) { return a.edge < b.edge; });
   for (auto begin = sheets.begin(); begin != sheets.end();) {

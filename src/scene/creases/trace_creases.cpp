@@ -8,11 +8,11 @@
 #include <span>
 #include <utility>
 
+#include "base/index_lists.hpp"
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "scene/creases/scan_meshes.hpp"
-#include "scene/model/at_vertices.hpp"
 
 namespace ligne {
 namespace {
@@ -117,13 +117,13 @@ class Tracer {
     const auto count = static_cast<std::uint32_t>(near.size());
     place_of_vertex_.assign(wanted.size(), count);
     for (std::uint32_t i = 0; i < count; ++i) place_of_vertex_[near[i]] = i;
-    edges_at_ = AtVertices(0, count + 1, [&](const auto& add) {
+    edges_at_ = IndexLists(count + 1, [&](const auto& add) {
       for (std::uint32_t k = 0; k < candidates_.size(); ++k) {
         add(place_of(topology_.edges[candidates_[k]].v0), k);
         add(place_of(topology_.edges[candidates_[k]].v1), k);
       }
     });
-    faces_at_ = AtVertices(0, count + 1, [&](const auto& add) {
+    faces_at_ = IndexLists(count + 1, [&](const auto& add) {
       for (const std::uint32_t f : wanted_faces) {
         for (const std::uint32_t v : scene_.faces.contour(f, 0)) {
           if (wanted[v - object_.vertex_begin]) add(place_of(v), f);
@@ -369,8 +369,8 @@ class Tracer {
   std::vector<VertexState> state_of_vertex_;            ///< per vertex of the object
   std::vector<std::uint8_t> on_ridge_;                  ///< per vertex of the object: 1 if an edge exceeds the angle
   std::vector<std::uint32_t> place_of_vertex_;          ///< per vertex of the object: see place_of()
-  AtVertices edges_at_;                                 ///< by place_of(): the candidates, by their index in candidates_
-  AtVertices faces_at_;                                 ///< by place_of(): the faces, ascending
+  IndexLists edges_at_;                                 ///< by place_of(): the candidates, by their index in candidates_
+  IndexLists faces_at_;                                 ///< by place_of(): the faces, ascending
 };
 
 }  // namespace

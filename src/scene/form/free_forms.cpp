@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene/model/bounds.hpp"
-#include "scene/model/face_area.hpp"
+#include "scene/model/faces_and_edges.hpp"
 
 namespace ligne {
 namespace {
@@ -38,8 +38,7 @@ double mean_length(const Scene& scene, const Topology& topology, EdgeRange range
   const std::uint32_t step = (range.end - range.begin) / kSampledEdges + 1;
   double sum = 0;
   std::size_t count = 0;
-  for (std::uint32_t e = range.begin; e < range.end; e += step, ++count)
-    sum += glm::distance(scene.vertices[topology.edges[e].v0], scene.vertices[topology.edges[e].v1]);
+  for (std::uint32_t e = range.begin; e < range.end; e += step, ++count) sum += edge_length(scene, topology.edges[e]);
   return sum / static_cast<double>(count);
 }
 

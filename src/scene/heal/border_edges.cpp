@@ -7,20 +7,12 @@
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "base/vertex_pair_index.hpp"
+#include "scene/model/faces_and_edges.hpp"
 
 namespace ligne {
 namespace {
-
-/// Calls visit(from, to) for each side of a face.
-template <class Visit>
-void for_sides(const PolygonFaces& faces, std::uint32_t f, const Visit& visit) {
-  for (std::size_t c = 0; c < faces.contour_count(f); ++c) {
-    const auto contour = faces.contour(f, c);
-    for (std::size_t k = 0; k + 1 < contour.size(); ++k) visit(contour[k], contour[k + 1]);
-    visit(contour.back(), contour[0]);
-  }
-}
 
 /// Maps vertices to distinct numbers without a pattern that could cancel in sums: two rounds of multiplication.
 std::uint64_t scatter(std::uint32_t v) { return mix_bits(v + kGoldenRatio); }
@@ -57,12 +49,10 @@ std::vector<std::uint8_t> ends_of_odd_edges(const Scene& scene) {
     }
   });
   std::vector<std::uint8_t> marked(vertices);
-  parallel_blocks(vertices, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      std::uint64_t sum = 0;
-      for (const auto& of_part : sums) sum ^= of_part[v];
-      marked[v] = sum != 0;
-    }
+  parallel_each(vertices, [&](std::size_t v) {
+    std::uint64_t sum = 0;
+    for (const auto& of_part : sums) sum ^= of_part[v];
+    marked[v] = sum != 0;
   });
   return marked;
 }
@@ -85,10 +75,7 @@ std::vector<std::uint32_t> faces_at(const Scene& scene, const std::vector<std::u
     });
   }
   return indices_where(faces.size(), [&](std::size_t f) {
-    for (std::size_t c = 0; c < faces.contour_count(f); ++c) {
-      if (std::ranges::any_of(faces.contour(f, c), [&](std::uint32_t v) { return marked[v] != 0; })) return true;
-    }
-    return false;
+    return std::ranges::any_of(corners_of(faces, f), [&](std::uint32_t v) { return marked[v] != 0; });
   });
 }
 

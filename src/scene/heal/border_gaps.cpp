@@ -7,7 +7,9 @@
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "scene/heal/edge_tree.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/model/planarity.hpp"
 
 namespace ligne {
@@ -30,23 +32,22 @@ std::vector<double> gaps_up_to(const Border& border, double distance) {
   const auto keep = [&](std::size_t k, const NearestPoint& nearest) {
     if (nearest.segment != kNone) gaps[k] = nearest.distance;
   };
-  parallel_blocks(vertices.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const Point3& p = border.point(vertices[k]);
-      const std::span<const std::uint32_t> near = cells.near(p);
-      exceeds_limit[k] = near.size() > EdgeTree::kMostVisits;
-      if (exceeds_limit[k]) continue;
-      const auto is_apart = [&](std::uint32_t e, double at) { return border.is_apart(vertices[k], e, at); };
-      keep(k, nearest_among(segments, near, p, distance, is_apart));
-    }
-  });
+  const auto search_cell = [&](std::size_t k) {
+    const Point3& p = border.point(vertices[k]);
+    const std::span<const std::uint32_t> near = cells.near(p);
+    exceeds_limit[k] = near.size() > EdgeTree::kMostVisits;
+    if (exceeds_limit[k]) return;
+    const auto is_apart = [&](std::uint32_t e, double at) { return border.is_apart(vertices[k], e, at); };
+    keep(k, nearest_among(segments, near, p, distance, is_apart));
+  };
+  parallel_each(vertices.size(), search_cell, kSearchBlock);
   const std::vector<std::uint32_t> crowded =
       indices_where(vertices.size(), [&](std::size_t k) { return exceeds_limit[k] != 0; });
   if (!crowded.empty()) {
     const BorderSearch search(border);
-    parallel_blocks(crowded.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) keep(crowded[i], search.nearest(vertices[crowded[i]], distance));
-    });
+    parallel_each(
+        crowded.size(), [&](std::size_t i) { keep(crowded[i], search.nearest(vertices[crowded[i]], distance)); },
+        kSearchBlock);
   }
   std::erase(gaps, -1.0);
   std::sort(gaps.begin(), gaps.end());
@@ -79,9 +80,7 @@ Border::Border(const Scene& scene, std::vector<Edge> edges) : scene_(scene), edg
   std::sort(faces.begin(), faces.end());
   make_unique(faces);
   for (const std::uint32_t f : faces) {
-    for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
-      for (const std::uint32_t v : scene.faces.contour(f, c)) corners_.emplace_back(f, v);
-    }
+    for (const std::uint32_t v : corners_of(scene.faces, f)) corners_.emplace_back(f, v);
   }
   std::sort(corners_.begin(), corners_.end());
   make_unique(corners_);
@@ -98,9 +97,7 @@ double Border::median_length() const {
   if (edges_.empty()) return 0;
   std::vector<double> lengths;
   lengths.reserve(edges_.size());
-  for (const Edge& edge : edges_) {
-    lengths.push_back(glm::distance(scene_.vertices[edge.v0], scene_.vertices[edge.v1]));
-  }
+  for (const Edge& edge : edges_) lengths.push_back(edge_length(scene_, edge));
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
   return *middle;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/model/planarity.hpp"
 
 namespace ligne {
@@ -24,16 +25,14 @@ CornerUses::CornerUses(const Scene& scene, const Object& object, std::span<const
   }
   begin_.assign(count + 2, 0);
   for (const std::uint32_t f : faces) {
-    for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
-      for (const std::uint32_t v : scene.faces.contour(f, c)) ++begin_[number_[v - first_vertex_] + 1];
-    }
+    for (const std::uint32_t v : corners_of(scene.faces, f)) ++begin_[number_[v - first_vertex_] + 1];
   }
   begin_[1] = 0;  // drops the count of vertices not requested
   for (std::size_t k = 1; k < begin_.size(); ++k) begin_[k] += begin_[k - 1];
   uses_.resize(begin_.back());
   std::vector<std::uint32_t> next = begin_;
   for (const std::uint32_t f : faces) {
-    const bool triangle = scene.faces.contour_count(f) == 1 && scene.faces.contour(f, 0).size() == 3;
+    const bool triangle = is_triangle(scene.faces, f);
     for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
       const auto contour = scene.faces.contour(f, c);
       const std::size_t n = contour.size();

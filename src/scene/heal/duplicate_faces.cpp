@@ -24,6 +24,7 @@
 #include "base/parallel.hpp"
 #include "scene/clean/compact.hpp"
 #include "scene/heal/face_writer.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/model/scene.hpp"
 
 namespace ligne {
@@ -299,13 +300,9 @@ std::vector<Corner> edges_of(const Scene& scene, std::uint32_t f) {
 bool have_same_flags(const Scene& scene, std::uint32_t from, std::uint32_t to) {
   const std::uint8_t flags = scene.corner_flags[scene.faces.corner_index(from, 0)];
   return std::ranges::all_of(std::array{from, to}, [&](std::uint32_t f) {
-    for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
-      const std::size_t first = scene.faces.corner_index(f, c), count = scene.faces.contour(f, c).size();
-      for (std::size_t k = first; k < first + count; ++k) {
-        if (scene.corner_flags[k] != flags) return false;
-      }
-    }
-    return true;
+    const std::size_t first = scene.faces.corner_index(f, 0), count = corners_of(scene.faces, f).size();
+    return std::ranges::count(std::span(scene.corner_flags).subspan(first, count), flags) ==
+           static_cast<std::ptrdiff_t>(count);
   });
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "scene/heal/border_edges.hpp"
 #include "scene/heal/corner_uses.hpp"
 #include "scene/heal/face_writer.hpp"
@@ -59,9 +60,8 @@ std::vector<Split> splits_of(const Border& border, double distance, double insid
   const std::vector<std::uint32_t>& vertices = border.vertices();
   const BorderSearch search(border);
   std::vector<NearestPoint> nearest(vertices.size());
-  parallel_blocks(vertices.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) nearest[k] = search.nearest(vertices[k], distance, inside);
-  });
+  parallel_each(
+      vertices.size(), [&](std::size_t k) { nearest[k] = search.nearest(vertices[k], distance, inside); }, kSearchBlock);
   std::vector<Split> splits;
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     if (nearest[k].segment == kNone) continue;

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "scene/model/faces_and_edges.hpp"
+
 namespace ligne {
 namespace {
 
@@ -21,13 +23,9 @@ constexpr double kOneFacet = 0.00087;
 
 /// Whether a face passes an edge from its first vertex to its second one.
 bool goes_along(const Scene& scene, std::uint32_t face, const Edge& edge) {
-  for (std::size_t c = 0; c < scene.faces.contour_count(face); ++c) {
-    const auto contour = scene.faces.contour(face, c);
-    for (std::size_t k = 0; k < contour.size(); ++k) {
-      if (contour[k] == edge.v0 && contour[k + 1 == contour.size() ? 0 : k + 1] == edge.v1) return true;
-    }
-  }
-  return false;
+  bool is_along = false;
+  for_sides(scene.faces, face, [&](std::uint32_t v, std::uint32_t w) { is_along |= v == edge.v0 && w == edge.v1; });
+  return is_along;
 }
 
 /// Whether an angle between faces is less than kOneFacet.
@@ -71,15 +69,13 @@ EdgeRows::Step EdgeRows::next(const Step& from, const RowBends& bends) const {
     const auto contour = scene_.faces.contour(faces[i], 0);
     if (contour.size() > kMostSides) continue;
     for (std::size_t k = 0; k < contour.size(); ++k) {
-      const auto [low, high] = std::minmax(contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]);
-      if (low == first.v0 && high == first.v1) continue;
-      const Edge* side = find_edge(topology_, {low, high});
-      if (!side || side->face1 == kNone) continue;
-      const auto edge = static_cast<std::uint32_t>(side - topology_.edges.data());
+      const std::uint32_t edge = edge_between(topology_, contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]);
+      if (edge == kNone || edge == from.edge || topology_.edges[edge].face1 == kNone) continue;
       if (topology_.edge_flags[edge] & (kEdgeManyFaces | kEdgeUnlikeWound)) continue;
-      const std::uint32_t other = side->face0 == faces[i] ? side->face1 : side->face0;
+      const Edge& side = topology_.edges[edge];
+      const std::uint32_t other = other_face(side, faces[i]);
       // The angle is computed where the cheaper conditions hold.
-      const bool touches = share_vertex(*side, first), is_beside = i == 0 && touches;
+      const bool touches = share_vertex(side, first), is_beside = i == 0 && touches;
       const Turn turn = is_beside ? Turn{} : turn_at(edge, faces[i]);
       const bool is_inner = !is_beside && is_in_one_facet(turn.sine, turn.cosine);
       if (is_inner || is_beside) {
@@ -92,7 +88,7 @@ EdgeRows::Step EdgeRows::next(const Step& from, const RowBends& bends) const {
       const double other_angle = signed_angle(turn, edge, faces[i]), ratio = other_angle / angle;
       if (!(ratio >= bends.least && ratio <= bends.most)) continue;
       if (std::abs(other_angle) > kPolygonBend) continue;
-      const Point3 way = (scene_.vertices[side->v0] + scene_.vertices[side->v1]) * 0.5 - scene_.vertices[first.v0];
+      const Point3 way = (scene_.vertices[side.v0] + scene_.vertices[side.v1]) * 0.5 - scene_.vertices[first.v0];
       best = {edge, other, glm::length(glm::cross(way, direction)), angle};
       best_cosine = cosine;
     }

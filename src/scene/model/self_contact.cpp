@@ -17,8 +17,10 @@
 #include <limits>
 #include <utility>
 
+#include "base/index_lists.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "geometry/predicates.hpp"
 
 namespace ligne {
@@ -62,9 +64,7 @@ class SelfSearch {
  public:
   SelfSearch(std::span<const Point3> vertices, std::span<const Triangle> triangles, std::span<const std::uint32_t> own)
       : vertices_(vertices), triangles_(triangles), items_(own.size()) {
-    parallel_blocks(own.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) items_[i] = {box_of(own[i]), own[i]};
-    });
+    parallel_each(own.size(), [&](std::size_t i) { items_[i] = {box_of(own[i]), own[i]}; });
     std::size_t nodes = 1;
     for (std::size_t n = own.size(); n > kLeaf; n -= n / 2) nodes = 2 * nodes + 1;
     boxes_.resize(nodes);
@@ -239,20 +239,14 @@ bool apart_beyond_side(const Corners3& t, const Corners3& u) {
 
 std::vector<std::uint8_t> find_self_contacts(std::span<const Point3> vertices, std::span<const Triangle> triangles,
                                              std::span<const std::uint32_t> surface, std::uint32_t surface_count) {
-  std::vector<std::size_t> begin(std::size_t{surface_count} + 1, 0);
-  for (const std::uint32_t s : surface) {
-    if (s != kNone) ++begin[s + 1];
-  }
-  for (std::size_t s = 0; s < surface_count; ++s) begin[s + 1] += begin[s];
-  std::vector<std::uint32_t> items(begin.back());
-  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (surface[t] != kNone) items[next[surface[t]]++] = static_cast<std::uint32_t>(t);
-  }
+  const IndexLists own(surface_count, [&](const auto& add) {
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+      if (surface[t] != kNone) add(surface[t], t);
+    }
+  });
   std::vector<std::uint8_t> result(surface_count, 0);
   parallel_for(surface_count, [&](std::size_t s) {
-    const auto own = std::span(items).subspan(begin[s], begin[s + 1] - begin[s]);
-    if (!own.empty()) result[s] = SelfSearch(vertices, triangles, own).run();
+    if (!own[s].empty()) result[s] = SelfSearch(vertices, triangles, own[s]).run();
   });
   return result;
 }

@@ -10,6 +10,7 @@
 #include "base/indices_where.hpp"
 #include "base/large_vector.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "geometry/triangulate.hpp"
 #include "scene/model/find_edges.hpp"
 
@@ -65,11 +66,12 @@ std::vector<Triangle> triangulate_faces(const Scene& scene) {
   if (scene.faces.all_triangles()) {
     triangles = large_vector<Triangle>(n);
     const auto corners = scene.faces.corners();
-    parallel_blocks(n, 65'536, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t f = begin; f < end; ++f) {
-        triangles[f] = {{corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]}, static_cast<std::uint32_t>(f)};
-      }
-    });
+    parallel_each(
+        n,
+        [&](std::size_t f) {
+          triangles[f] = {{corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]}, static_cast<std::uint32_t>(f)};
+        },
+        65'536);
   } else {
     triangles.reserve(n * 2);
     for (std::uint32_t f = 0; f < n; ++f) triangulate_face(scene, f, triangles);
@@ -106,12 +108,10 @@ EdgeRange edges_up_from(const Topology& topology, std::uint32_t vertex) {
 void index_edges(Topology& topology, std::size_t vertices) {
   const std::size_t n = topology.edges.size();
   topology.first_edges = large_vector<std::uint32_t>(vertices + 1);
-  parallel_blocks(n + 1, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) {
-      const std::size_t from = e > 0 ? std::size_t{topology.edges[e - 1].v0} + 1 : 0;
-      const std::size_t last = e < n ? topology.edges[e].v0 : vertices;
-      for (std::size_t v = from; v <= last; ++v) topology.first_edges[v] = static_cast<std::uint32_t>(e);
-    }
+  parallel_each(n + 1, [&](std::size_t e) {
+    const std::size_t from = e > 0 ? std::size_t{topology.edges[e - 1].v0} + 1 : 0;
+    const std::size_t last = e < n ? topology.edges[e].v0 : vertices;
+    for (std::size_t v = from; v <= last; ++v) topology.first_edges[v] = static_cast<std::uint32_t>(e);
   });
 }
 

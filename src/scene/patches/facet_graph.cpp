@@ -11,8 +11,9 @@
 #include "base/large_vector.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "geometry/degrees.hpp"
-#include "scene/model/face_area.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/model/planarity.hpp"
 #include "scene/patches/facets/cut_strips.hpp"
 #include "scene/patches/facets/flat_joints.hpp"
@@ -20,25 +21,6 @@
 
 namespace ligne {
 namespace {
-
-bool is_triangle(const Scene& scene, std::uint32_t f) {
-  return scene.faces.contour_count(f) == 1 && scene.faces.contour(f, 0).size() == 3;
-}
-
-template <class Visit>
-void for_corners(const Scene& scene, std::uint32_t f, Visit visit) {
-  for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
-    for (const std::uint32_t v : scene.faces.contour(f, c)) visit(v);
-  }
-}
-
-/// Largest distance of a corner from the first one.
-double span_of(const Scene& scene, std::uint32_t f) {
-  const auto contour = scene.faces.contour(f, 0);
-  double most = 0;
-  for (const std::uint32_t v : contour) most = std::max(most, glm::distance(scene.vertices[v], scene.vertices[contour[0]]));
-  return most;
-}
 
 /// Facets or edges of a block of the graph. Most objects have fewer than kShortWorkBlock.
 constexpr std::size_t kFacetBlock = 2048;
@@ -62,7 +44,7 @@ bool lie_on_two_lines(std::span<const Point3> points, double tolerance) {
   return false;
 }
 
-/// Whether a face is so narrow that rounding determines its normal. `size`: twice its area; `span`: see span_of().
+/// Whether a face is so narrow that rounding determines its normal. `size`: twice its area; `span`: see face_span().
 bool is_narrow(double size, double span, double precision) {
   return size <= 4 * straightness_tolerance(precision, span) * span;
 }
@@ -110,11 +92,11 @@ class GraphBuilder {
   /// A face of the object, numbered from 0, behind its three lowest vertices.
   std::array<std::uint32_t, 4> key_of(std::uint32_t f) const {
     std::array<std::uint32_t, 4> key{kNone, kNone, kNone, f};
-    for_corners(scene_, object_.face_begin + f, [&](std::uint32_t v) {
+    for (std::uint32_t v : corners_of(scene_.faces, object_.face_begin + f)) {
       for (std::size_t i = 0; i < 3; ++i) {
         if (v < key[i]) std::swap(v, key[i]);
       }
-    });
+    }
     return key;
   }
 
@@ -164,7 +146,8 @@ class GraphBuilder {
       for (std::size_t facet = begin; facet < end; ++facet) {
         const std::size_t before = of_block.size();
         const auto faces = graph_.faces[facet];
-        faces.size() == 1 && is_triangle(scene_, faces[0]) ? add_triangle(facet, of_block) : add_facet(facet, of_block);
+        faces.size() == 1 && is_triangle(scene_.faces, faces[0]) ? add_triangle(facet, of_block)
+                                                                 : add_facet(facet, of_block);
         begins[facet + 1] = static_cast<std::uint32_t>(of_block.size() - before);
       }
     });
@@ -204,8 +187,8 @@ class GraphBuilder {
       area += part;
       middle += weight / static_cast<double>(scene_.faces.contour(f, 0).size()) * sum;
       size += weight;
-      span = std::max(span, span_of(scene_, f));
-      for_corners(scene_, f, [&](std::uint32_t v) { of_block.push_back(v); });
+      span = std::max(span, face_span(scene_, f));
+      std::ranges::copy(corners_of(scene_.faces, f), std::back_inserter(of_block));
     }
     std::sort(of_block.begin() + before, of_block.end());
     of_block.erase(std::unique(of_block.begin() + before, of_block.end()), of_block.end());
@@ -246,9 +229,9 @@ class GraphBuilder {
 
   void add_arcs(std::uint32_t edge_begin, std::uint32_t edge_end) {
     std::vector<Joint> joints(edge_end - edge_begin);
-    parallel_blocks(joints.size(), kFacetBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) joints[k] = joint_at(static_cast<std::uint32_t>(edge_begin + k));
-    });
+    parallel_each(
+        joints.size(), [&](std::size_t k) { joints[k] = joint_at(static_cast<std::uint32_t>(edge_begin + k)); },
+        kFacetBlock);
     std::vector<std::uint32_t>& begins = graph_.arc_begin;
     begins.assign(graph_.size() + 2, 0);
     for (std::uint32_t k = 0; k < joints.size(); ++k) {

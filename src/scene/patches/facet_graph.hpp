@@ -8,21 +8,13 @@
 #include <span>
 #include <vector>
 
+#include "base/index_lists.hpp"
 #include "base/uninitialized_vector.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 #include "scene/patches/patch_surface.hpp"
 
 namespace ligne {
-
-/// Lists of indices in one array: list i is values[begin[i], begin[i + 1]).
-struct IndexLists {
-  std::vector<std::uint32_t> begin{0}, values;
-
-  std::span<const std::uint32_t> operator[](std::size_t i) const {
-    return {values.data() + begin[i], values.data() + begin[i + 1]};
-  }
-};
 
 /// Largest angle between the normals of adjacent facets of one surface, in degrees. It admits a cylinder of twelve
 /// facets (30 degrees), or of eight (45 degrees) if the file says that the surface is smooth. With fewer facets the

@@ -13,7 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/index_lists.hpp"
 #include "base/no_index.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 
@@ -169,27 +171,12 @@ constexpr double kMostTurn = 200.0 / 360 * kTurn;
 constexpr double kBothSides = 0.5;
 
 /// Per patch: its triangles.
-struct PatchTriangles {
-  std::vector<std::uint32_t> begin, triangles;
-  std::span<const std::uint32_t> of(std::size_t patch) const {
-    return {triangles.data() + begin[patch], triangles.data() + begin[patch + 1]};
-  }
-};
-
-PatchTriangles triangles_of_patches(const Topology& topology, const Patches& patches) {
-  PatchTriangles found;
-  found.begin.assign(patches.list.size() + 1, 0);
-  const auto patch_of = [&](const Triangle& t) { return patches.patch_of[t.face]; };
-  for (const Triangle& t : topology.triangles) {
-    if (patch_of(t) != kNone) ++found.begin[patch_of(t) + 1];
-  }
-  for (std::size_t p = 0; p < patches.list.size(); ++p) found.begin[p + 1] += found.begin[p];
-  found.triangles.resize(found.begin.back());
-  std::vector<std::uint32_t> next(found.begin.begin(), found.begin.end() - 1);
-  for (std::uint32_t t = 0; t < topology.triangles.size(); ++t) {
-    if (const std::uint32_t p = patch_of(topology.triangles[t]); p != kNone) found.triangles[next[p]++] = t;
-  }
-  return found;
+IndexLists triangles_of_patches(const Topology& topology, const Patches& patches) {
+  return IndexLists(patches.list.size(), [&](const auto& add) {
+    for (std::uint32_t t = 0; t < topology.triangles.size(); ++t) {
+      if (const std::uint32_t p = patches.patch_of[topology.triangles[t].face]; p != kNone) add(p, t);
+    }
+  });
 }
 
 /// Reduces a difference of two angles to [-pi, pi].
@@ -236,7 +223,7 @@ class FilletFinder {
       if (!strips_[p]) continue;
       const AngleAcross angle(patches_.list[p].surface);
       add_zero_lines(
-          scene_, topology_, triangles_.of(p), [&](const Point3& q) { return turned(angle(q) - arcs_[p].middle); }, {},
+          scene_, topology_, triangles_[p], [&](const Point3& q) { return turned(angle(q) - arcs_[p].middle); }, {},
           found.lines);
     }
     add_corners(found);
@@ -252,7 +239,7 @@ class FilletFinder {
   Arc arc_of(std::uint32_t p, std::vector<std::uint32_t>& last_patch) const {
     const AngleAcross angle(patches_.list[p].surface);
     std::vector<double> angles;
-    for (const std::uint32_t t : triangles_.of(p)) {
+    for (const std::uint32_t t : triangles_[p]) {
       for (const std::uint32_t v : topology_.triangles[t].v) {
         if (std::exchange(last_patch[v], p) != p) angles.push_back(angle(scene_.vertices[v]));
       }
@@ -324,7 +311,7 @@ class FilletFinder {
       if (patches_.list[p].surface.kind != SurfaceKind::sphere) std::swap(p, q);
       if (patches_.list[p].surface.kind != SurfaceKind::sphere || !strips_[q]) continue;
       if (patches_.list[q].surface.kind != SurfaceKind::cylinder) continue;
-      const double length = glm::distance(scene_.vertices[edge.v0], scene_.vertices[edge.v1]);
+      const double length = edge_length(scene_, edge);
       End& end = ends[{p, q}];
       end.sum += length / 2 * (scene_.vertices[edge.v0] + scene_.vertices[edge.v1]);
       end.length += length;
@@ -344,7 +331,7 @@ class FilletFinder {
       Point3 towards = end.sum / end.length - ball.at;
       towards -= glm::dot(towards, middle) * middle;
       add_zero_lines(
-          scene_, topology_, triangles_.of(sphere), [&](const Point3& p) { return glm::dot(p - s.at, across); },
+          scene_, topology_, triangles_[sphere], [&](const Point3& p) { return glm::dot(p - s.at, across); },
           [&](const Point3& p) { return glm::dot(p - ball.at, towards); }, found.lines);
     }
   }
@@ -352,7 +339,7 @@ class FilletFinder {
   /// Unit vector from the centre of a sphere to the middle of its patch.
   Point3 middle_direction(std::uint32_t sphere) const {
     Point3 sum(0, 0, 0);
-    for (const std::uint32_t t : triangles_.of(sphere)) {
+    for (const std::uint32_t t : triangles_[sphere]) {
       sum += glm::cross(point(t, 1) - point(t, 0), point(t, 2) - point(t, 0));
     }
     const double length = glm::length(sum);
@@ -365,7 +352,7 @@ class FilletFinder {
   const Patches& patches_;
   std::span<const PatchEdge> edges_;
   double widest_;
-  PatchTriangles triangles_;
+  IndexLists triangles_;              ///< per patch
   std::vector<Arc> arcs_;             ///< per patch
   std::vector<std::uint8_t> strips_;  ///< per patch
 };

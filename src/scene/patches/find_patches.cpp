@@ -7,6 +7,8 @@
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/patches/borders/flat_rows.hpp"
 #include "scene/patches/borders/patch_outlines.hpp"
 #include "scene/patches/facet_graph.hpp"
@@ -72,11 +74,9 @@ ObjectPatches patches_of(const Scene& scene, const Topology& topology, const Obj
   found.borders = freeform_borders(scene, topology, graph, {found.patches, of_facet, freeform}, outlines);
   found.patch_of.resize(graph.facet_of.size());
   found.is_freeform.resize(graph.facet_of.size());
-  parallel_blocks(graph.facet_of.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) {
-      found.patch_of[f] = of_facet[graph.facet_of[f]];
-      found.is_freeform[f] = freeform[graph.facet_of[f]];
-    }
+  parallel_each(graph.facet_of.size(), [&](std::size_t f) {
+    found.patch_of[f] = of_facet[graph.facet_of[f]];
+    found.is_freeform[f] = freeform[graph.facet_of[f]];
   });
   assign_flat_rows(scene, topology, object, graph, {found.patches, found.patch_of, found.is_freeform});
   return found;
@@ -117,8 +117,8 @@ std::vector<std::uint32_t> edges_with_or_at(const Topology& topology, unsigned f
     for (; t != topology.triangles.end() && t->face == f; ++t) {
       for (std::size_t k = 0; k < 3; ++k) {
         // A side inside a polygon is no edge.
-        const Edge* edge = find_edge(topology, {t->v[k], t->v[(k + 1) % 3]});
-        if (edge) found.push_back(static_cast<std::uint32_t>(edge - topology.edges.data()));
+        const std::uint32_t edge = edge_between(topology, t->v[k], t->v[(k + 1) % 3]);
+        if (edge != kNone) found.push_back(edge);
       }
     }
   }
@@ -158,10 +158,8 @@ Patches find_patches(const Scene& scene, const Topology& topology, const MeshAng
     found.borders.insert(found.borders.end(), parts[i].borders.begin(), parts[i].borders.end());
     found.plane_edges.insert(found.plane_edges.end(), parts[i].plane_edges.begin(), parts[i].plane_edges.end());
     found.list.insert(found.list.end(), parts[i].patches.begin(), parts[i].patches.end());
-    parallel_blocks(parts[i].patch_of.size(), kShortWorkBlock, [&](std::size_t from, std::size_t to) {
-      for (std::size_t f = from; f < to; ++f) {
-        if (parts[i].patch_of[f] != kNone) found.patch_of[begin + f] = first + parts[i].patch_of[f];
-      }
+    parallel_each(parts[i].patch_of.size(), [&](std::size_t f) {
+      if (parts[i].patch_of[f] != kNone) found.patch_of[begin + f] = first + parts[i].patch_of[f];
     });
     std::ranges::copy(parts[i].is_freeform, found.is_freeform.begin() + begin);
   }

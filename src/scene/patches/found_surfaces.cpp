@@ -8,6 +8,7 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "scene/model/faces_and_edges.hpp"
 
 namespace ligne {
 namespace {
@@ -50,9 +51,7 @@ double covered_turn(std::vector<AngleSpan>& spans) {
 template <class Visit>
 void for_corners_of(const Scene& scene, std::span<const std::uint32_t> faces, Visit visit) {
   for (const std::uint32_t f : faces) {
-    for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
-      for (const std::uint32_t v : scene.faces.contour(f, c)) visit(scene.vertices[v]);
-    }
+    for (const std::uint32_t v : corners_of(scene.faces, f)) visit(scene.vertices[v]);
   }
 }
 

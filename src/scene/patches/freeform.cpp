@@ -9,7 +9,7 @@
 
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
-#include "scene/model/face_area.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/patches/borders/patch_outlines.hpp"
 #include "scene/patches/facet_rows.hpp"
 #include "scene/patches/find_patches.hpp"
@@ -143,7 +143,7 @@ bool is_tangent_plane(const Scene& scene, const Topology& topology, const FacetG
     const double bend = sine(graph.frames[arc.facet].normal);
     const double depth = depth_behind(scene, graph.vertices[f], edge);
     if (bend < kLeastRowSine || depth < kTangentDepths * depth_behind(scene, graph.vertices[arc.facet], edge)) return false;
-    if (depth > kLongestDepth * glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1])) return false;
+    if (depth > kLongestDepth * edge_length(scene, edge)) return false;
     return std::ranges::all_of(std::array{edge.v0, edge.v1}, [&](std::uint32_t v) {
       return sine(surfaces.patches[p].surface.normal(scene.vertices[v])) <= kTangentPart * bend;
     });
@@ -221,7 +221,7 @@ struct RowBorder {
       const Edge& edge = topology.edges[arc.edge];
       const auto faces = graph.faces[arc.facet];
       const std::uint32_t beyond = std::ranges::find(faces, edge.face0) != faces.end() ? edge.face0 : edge.face1;
-      const double part = glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]);
+      const double part = edge_length(scene, edge);
       length += part;
       const EdgeRows::Step step = rows.next({arc.edge, beyond}, kEvenBends);
       const auto is_inside = [&](const FacetGraph::Arc& next) {
@@ -250,7 +250,7 @@ bool is_amid_triangles(const Scene& scene, const Topology& topology, const Facet
     const std::uint32_t g = arc.facet;
     if (patch_of[g] != kNone || is_large(g)) return false;
     const Edge& edge = topology.edges[arc.edge];
-    const double part = glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]);
+    const double part = edge_length(scene, edge);
     length += part;
     const double depth = depth_behind(scene, graph.vertices[g], edge);
     if (depth_behind(scene, graph.vertices[f], edge) < kPlaneDepths * depth) alike += part;
@@ -266,8 +266,7 @@ bool is_in_slight_wall(const Scene& scene, const Topology& topology, const Facet
   if (graph.faces[f].size() > kMostWallFaces) return false;
   double slight = 0, longest = 0;
   for (const FacetGraph::Arc& arc : graph.arcs_of(f)) {
-    const Edge& edge = topology.edges[arc.edge];
-    const double length = glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]);
+    const double length = edge_length(scene, topology.edges[arc.edge]);
     longest = std::max(longest, length);
     if (patch_of[arc.facet] != kNone || graph.vertices[arc.facet].size() != 3) continue;
     const double sine = std::abs(bend_at(graph, f, arc));
@@ -284,8 +283,7 @@ const FacetGraph::Arc* longest_arc(const Scene& scene, const Topology& topology,
   for (std::size_t k = 0; k < 3; ++k)
     longest = std::max(longest, glm::distance(scene.vertices[corners[k]], scene.vertices[corners[(k + 1) % 3]]));
   for (const FacetGraph::Arc& arc : graph.arcs_of(f)) {
-    const Edge& edge = topology.edges[arc.edge];
-    if (glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]) == longest) return &arc;
+    if (edge_length(scene, topology.edges[arc.edge]) == longest) return &arc;
   }
   return nullptr;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/readers/reader.hpp"
 
 namespace ligne {
@@ -100,11 +101,8 @@ void read_objects(ByteReader& bytes, Scene& scene) {
                "an object has faces or vertices that are not there");
     bytes.need(std::isfinite(object.precision) && object.precision >= 0, "the precision of an object is not a number");
     for (std::size_t f = object.face_begin; f < face; ++f) {
-      for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
-        for (const std::uint32_t v : scene.faces.contour(f, c)) {
-          bytes.need(v >= object.vertex_begin && v < vertex, "a face has a vertex of another object");
-        }
-      }
+      for (const std::uint32_t v : corners_of(scene.faces, f))
+        bytes.need(v >= object.vertex_begin && v < vertex, "a face has a vertex of another object");
     }
   }
   bytes.need(vertex == scene.vertices.size() && face == scene.faces.size(), "faces or vertices belong to no object");

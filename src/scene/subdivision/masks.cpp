@@ -9,16 +9,18 @@
 #include <numbers>
 #include <utility>
 
+#include "base/index_lists.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 
 namespace ligne {
 namespace {
 
-template <class Work>
-void for_each_index(std::size_t n, const Work& work) {
-  parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) work(static_cast<std::uint32_t>(i));
+/// The corners at each vertex, in ascending order.
+IndexLists corners_at_vertices(const SubdivisionMesh& mesh) {
+  return IndexLists(mesh.points.size(), [&](const auto& add) {
+    for (std::uint32_t k = 0; k < mesh.corners.size(); ++k) add(mesh.corners[k], k);
   });
 }
 
@@ -157,13 +159,13 @@ std::vector<Point3> refined_points(const SubdivisionMesh& mesh, SubdivisionSchem
   constexpr double kCreaseWeight = 3.0 / 4;
   const bool loop = scheme == SubdivisionScheme::loop;
   std::vector<Point3> face_points(loop ? 0 : mesh.face_count());
-  for_each_index(face_points.size(), [&](std::uint32_t f) { face_points[f] = centroid(mesh, f); });
-  const VertexStars stars(mesh);
+  parallel_each(face_points.size(), [&](std::uint32_t f) { face_points[f] = centroid(mesh, f); });
+  const IndexLists stars = corners_at_vertices(mesh);
   const std::size_t vertices = mesh.points.size(), edges = mesh.edges.size();
   std::vector<Point3> points(vertices + edges + face_points.size());
-  for_each_index(vertices, [&](std::uint32_t v) { points[v] = smooth_vertex(mesh, v, stars[v], loop, face_points); });
+  parallel_each(vertices, [&](std::uint32_t v) { points[v] = smooth_vertex(mesh, v, stars[v], loop, face_points); });
   place_sharp_vertices(mesh, kCreaseWeight, points);
-  for_each_index(edges, [&](std::uint32_t e) { points[vertices + e] = edge_point(mesh, e, loop, face_points); });
+  parallel_each(edges, [&](std::uint32_t e) { points[vertices + e] = edge_point(mesh, e, loop, face_points); });
   std::ranges::copy(face_points, points.begin() + static_cast<std::ptrdiff_t>(vertices + edges));
   return points;
 }
@@ -171,9 +173,9 @@ std::vector<Point3> refined_points(const SubdivisionMesh& mesh, SubdivisionSchem
 std::vector<Point3> limit_points(const SubdivisionMesh& mesh, SubdivisionScheme scheme) {
   constexpr double kCreaseWeight = 2.0 / 3;
   const bool loop = scheme == SubdivisionScheme::loop;
-  const VertexStars stars(mesh);
+  const IndexLists stars = corners_at_vertices(mesh);
   std::vector<Point3> points(mesh.points.size());
-  for_each_index(points.size(), [&](std::uint32_t v) { points[v] = smooth_limit(mesh, v, stars[v], loop); });
+  parallel_each(points.size(), [&](std::uint32_t v) { points[v] = smooth_limit(mesh, v, stars[v], loop); });
   place_sharp_vertices(mesh, kCreaseWeight, points);
   return points;
 }

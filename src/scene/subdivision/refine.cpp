@@ -12,17 +12,11 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "scene/subdivision/subdivision_mesh.hpp"
 
 namespace ligne {
 namespace {
-
-template <class Work>
-void for_all(std::size_t n, const Work& work) {
-  parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) work(static_cast<std::uint32_t>(i));
-  });
-}
 
 /// Sharpness decreases by 1 with each level [DeRoseEtAl1998].
 float decayed(float sharpness) { return std::max(sharpness - 1, 0.0f); }
@@ -39,16 +33,16 @@ class Refiner {
     child_.corners.resize(corners);
     child_.corner_edge.resize(corners);
     child_.vertex_sharpness.assign(vertex_count_ + edge_count_ + (loop_ ? 0 : mesh_.face_count()), 0);
-    for_all(vertex_count_, [&](std::uint32_t v) { child_.vertex_sharpness[v] = decayed(mesh_.vertex_sharpness[v]); });
+    parallel_each(vertex_count_, [&](std::uint32_t v) { child_.vertex_sharpness[v] = decayed(mesh_.vertex_sharpness[v]); });
     const std::size_t edges = 2 * mesh_.edges.size() + (last_ ? 0 : sides);
     child_.edges.resize(edges);
     child_.edge_sharpness.assign(edges, 0);
     child_.edge_flags.assign(edges, 0);
-    for_all(edge_count_, [&](std::uint32_t e) { halve(e); });
+    parallel_each(edge_count_, [&](std::uint32_t e) { halve(e); });
     if (loop_) {
-      for_all(sides / 3, [&](std::uint32_t f) { split_triangle(f); });
+      parallel_each(sides / 3, [&](std::uint32_t f) { split_triangle(f); });
     } else {
-      for_all(sides, [&](std::uint32_t k) { add_quad(k); });
+      parallel_each(sides, [&](std::uint32_t k) { add_quad(k); });
     }
     return std::move(child_);
   }

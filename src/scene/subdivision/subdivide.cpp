@@ -8,6 +8,7 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/clean/weld.hpp"
 #include "scene/subdivision/control_mesh.hpp"
@@ -87,19 +88,17 @@ void cut_quads(const SubdivisionMesh& mesh, bool mark_creases, Surface& made) {
   made.corners.resize(6 * quads);
   made.flags.resize(6 * quads);
   const std::uint8_t inner = kCornerInner | (mark_creases ? kInsideSurface : 0);
-  parallel_blocks(quads, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t q = begin; q < end; ++q) {
-      const auto corner = [&](std::uint32_t k) { return static_cast<std::uint32_t>(4 * q) + (k & 3u); };
-      const auto point = [&](std::uint32_t k) { return made.points[mesh.corners[corner(k)]]; };
-      const std::uint32_t k = glm::distance(point(1), point(3)) < kShorterDiagonal * glm::distance(point(0), point(2));
-      std::uint32_t* const corners = &made.corners[6 * q];
-      std::uint8_t* const flags = &made.flags[6 * q];
-      for (const std::uint32_t half : {0u, 1u}) {  // k, k + 1, k + 2 and k + 2, k + 3, k
-        for (std::uint32_t i = 0; i < 3; ++i) {
-          const std::uint32_t c = corner(k + 2 * half + i);
-          corners[3 * half + i] = mesh.corners[c];
-          flags[3 * half + i] = i == 2 ? inner : side_flags(mesh, c, mark_creases);
-        }
+  parallel_each(quads, [&](std::size_t q) {
+    const auto corner = [&](std::uint32_t k) { return static_cast<std::uint32_t>(4 * q) + (k & 3u); };
+    const auto point = [&](std::uint32_t k) { return made.points[mesh.corners[corner(k)]]; };
+    const std::uint32_t k = glm::distance(point(1), point(3)) < kShorterDiagonal * glm::distance(point(0), point(2));
+    std::uint32_t* const corners = &made.corners[6 * q];
+    std::uint8_t* const flags = &made.flags[6 * q];
+    for (const std::uint32_t half : {0u, 1u}) {  // k, k + 1, k + 2 and k + 2, k + 3, k
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const std::uint32_t c = corner(k + 2 * half + i);
+        corners[3 * half + i] = mesh.corners[c];
+        flags[3 * half + i] = i == 2 ? inner : side_flags(mesh, c, mark_creases);
       }
     }
   });
@@ -107,9 +106,8 @@ void cut_quads(const SubdivisionMesh& mesh, bool mark_creases, Surface& made) {
 
 void take_triangles(SubdivisionMesh& mesh, bool mark_creases, Surface& made) {
   made.flags.resize(mesh.corners.size());
-  parallel_blocks(made.flags.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) made.flags[k] = side_flags(mesh, static_cast<std::uint32_t>(k), mark_creases);
-  });
+  parallel_each(made.flags.size(),
+                [&](std::size_t k) { made.flags[k] = side_flags(mesh, static_cast<std::uint32_t>(k), mark_creases); });
   made.corners = std::move(mesh.corners);
 }
 
@@ -145,9 +143,7 @@ class SceneWriter {
     vertices_.insert(vertices_.end(), surface.points.begin(), surface.points.end());
     const std::size_t triangles = surface.corners.size() / 3, first = faces_.size();
     const std::span<std::uint32_t> corners = faces_.append_triangles(triangles);
-    parallel_blocks(corners.size(), kShortWorkBlock, [&](std::size_t from, std::size_t to) {
-      for (std::size_t k = from; k < to; ++k) corners[k] = surface.corners[k] + base;
-    });
+    parallel_each(corners.size(), [&](std::size_t k) { corners[k] = surface.corners[k] + base; });
     add_flags(surface.flags);
     const ControlMesh& control = surface.control;
     const auto source = [&](std::size_t triangle) {

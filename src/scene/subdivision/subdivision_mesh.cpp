@@ -6,6 +6,7 @@
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "scene/model/scene.hpp"
 
 namespace ligne {
@@ -25,12 +26,10 @@ struct FiledSide {
 
 std::vector<FiledSide> file_sides(const SubdivisionMesh& mesh) {
   std::vector<FiledSide> filed(mesh.corners.size());
-  parallel_blocks(filed.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const auto corner = static_cast<std::uint32_t>(k);
-      const auto [low, high] = std::minmax({mesh.corners[corner], mesh.corners[mesh.next(corner)]});
-      filed[k] = {std::uint64_t{low} << 32 | high, corner};
-    }
+  parallel_each(filed.size(), [&](std::size_t k) {
+    const auto corner = static_cast<std::uint32_t>(k);
+    const auto [low, high] = std::minmax({mesh.corners[corner], mesh.corners[mesh.next(corner)]});
+    filed[k] = {std::uint64_t{low} << 32 | high, corner};
   });
   parallel_sort(filed.begin(), filed.end());
   return filed;
@@ -51,13 +50,6 @@ void sharpen_where_fans_meet(SubdivisionMesh& mesh, DisjointSets& fans) {
 }
 
 }  // namespace
-
-VertexStars::VertexStars(const SubdivisionMesh& mesh) : begin_(mesh.points.size() + 2, 0), corners_(mesh.corners.size()) {
-  // Counts are stored two places further at first, so that filling advances each begin to its final value.
-  for (const std::uint32_t v : mesh.corners) ++begin_[v + 2];
-  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-  for (std::uint32_t k = 0; k < mesh.corners.size(); ++k) corners_[begin_[mesh.corners[k] + 1]++] = k;
-}
 
 void connect_edges(SubdivisionMesh& mesh, const SideTags& sides) {
   const std::vector<FiledSide> filed = file_sides(mesh);

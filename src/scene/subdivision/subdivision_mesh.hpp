@@ -50,18 +50,6 @@ struct SubdivisionMesh {
   }
 };
 
-/// The corners at each vertex, in ascending order.
-class VertexStars {
- public:
-  explicit VertexStars(const SubdivisionMesh& mesh);
-  std::span<const std::uint32_t> operator[](std::size_t vertex) const {
-    return std::span(corners_).subspan(begin_[vertex], begin_[vertex + 1] - begin_[vertex]);
-  }
-
- private:
-  std::vector<std::uint32_t> begin_, corners_;
-};
-
 /// Sharpness and flags of the sides of a control mesh, per corner.
 struct SideTags {
   std::vector<float> sharpness;

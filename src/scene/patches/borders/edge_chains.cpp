@@ -4,12 +4,14 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "scene/model/faces_and_edges.hpp"
+
 namespace ligne {
 namespace {
 
 bool go_straight_on(const Scene& scene, const Edge& a, const Edge& b, std::uint32_t vertex) {
   const auto away = [&](const Edge& edge) {
-    return glm::normalize(scene.vertices[edge.v0 == vertex ? edge.v1 : edge.v0] - scene.vertices[vertex]);
+    return glm::normalize(scene.vertices[other_end(edge, vertex)] - scene.vertices[vertex]);
   };
   return glm::dot(away(a), away(b)) <= -kChainCosine;
 }

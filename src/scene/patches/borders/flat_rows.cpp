@@ -7,7 +7,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
-#include "scene/model/face_area.hpp"
+#include "scene/model/faces_and_edges.hpp"
 
 namespace ligne {
 namespace {
@@ -122,9 +122,9 @@ class FlatRows {
   std::uint32_t patch_beside(std::uint32_t face, std::uint32_t f) const {
     const auto corners = scene_.faces.contour(face, 0);
     for (std::size_t k = 0; k < corners.size(); ++k) {
-      const Edge* edge = find_edge(topology_, std::minmax(corners[k], corners[k + 1 == corners.size() ? 0 : k + 1]));
+      const Edge* edge = find_edge(topology_, {corners[k], corners[k + 1 == corners.size() ? 0 : k + 1]});
       if (!edge || edge->face1 == kNone) continue;
-      const std::uint32_t other = edge->face0 == face ? edge->face1 : edge->face0;
+      const std::uint32_t other = other_face(*edge, face);
       if (graph_.facet_of[other - object_.face_begin] != f || patch_of(other) == kNone) continue;
       if (lies_on(scene_, face, patches_[patch_of(other)], object_.precision)) return patch_of(other);
     }

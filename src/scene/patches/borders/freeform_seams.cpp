@@ -11,7 +11,10 @@
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
+#include "scene/creases/across_edge.hpp"
 #include "scene/model/bounds.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/patches/borders/seam_section.hpp"
 #include "scene/patches/freeform.hpp"
 
@@ -84,7 +87,7 @@ class SeamFinder {
     drop_loose(lines);
     for (const Line& line : lines) {
       for (std::size_t i = 1; i < line.vertices.size(); ++i)
-        edges_[edge_between(line.vertices[i - 1], line.vertices[i])] = PatchEdge::tangent;
+        edges_[edge_between(topology_, line.vertices[i - 1], line.vertices[i])] = PatchEdge::tangent;
     }
   }
 
@@ -136,24 +139,26 @@ class SeamFinder {
     const std::vector<std::uint32_t> may_hold = indices_where(
         all.size(), [&](std::size_t k) { return may_hold_seam(all[k]); }, kSearchBlock);
     inner_.resize(may_hold.size());
-    parallel_blocks(may_hold.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const std::uint32_t e = all[may_hold[i]];
-        const Edge& edge = topology_.edges[e];
-        const double one = depth_behind(scene_, scene_.faces.contour(edge.face0, 0), edge);
-        const double other = depth_behind(scene_, scene_.faces.contour(edge.face1, 0), edge);
-        const bool is_unlike = std::max(one, other) >= kUnlikeDepths * std::min(one, other);
-        inner_[i] = {e, !is_unlike ? kNone : one > other ? edge.face0 : edge.face1};
-      }
-    });
+    parallel_each(
+        may_hold.size(),
+        [&](std::size_t i) {
+          const std::uint32_t e = all[may_hold[i]];
+          const Edge& edge = topology_.edges[e];
+          const double one = depth_behind(scene_, scene_.faces.contour(edge.face0, 0), edge);
+          const double other = depth_behind(scene_, scene_.faces.contour(edge.face1, 0), edge);
+          const bool is_unlike = std::max(one, other) >= kUnlikeDepths * std::min(one, other);
+          inner_[i] = {e, !is_unlike ? kNone : one > other ? edge.face0 : edge.face1};
+        },
+        kSearchBlock);
     const std::vector<std::uint32_t> in_line = in_lines_by_depth();
-    parallel_blocks(in_line.size(), kSearchBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        Inner& inner = inner_[in_line[i]];
-        inner.section = sections_.at(inner.edge);
-        inner.is_proof = inner.section && proves_seam(*inner.section);
-      }
-    });
+    parallel_each(
+        in_line.size(),
+        [&](std::size_t i) {
+          Inner& inner = inner_[in_line[i]];
+          inner.section = sections_.at(inner.edge);
+          inner.is_proof = inner.section && proves_seam(*inner.section);
+        },
+        kSearchBlock);
   }
 
   static bool proves_seam(const SeamSection& section) {
@@ -203,31 +208,16 @@ class SeamFinder {
     }
   }
 
-  std::uint32_t other_end(std::uint32_t e, std::uint32_t v) const {
-    return topology_.edges[e].v0 ^ topology_.edges[e].v1 ^ v;
-  }
+  std::uint32_t other_end(std::uint32_t e, std::uint32_t v) const { return ligne::other_end(topology_.edges[e], v); }
   Point3 way(std::uint32_t from, std::uint32_t to) const {
     return glm::normalize(scene_.vertices[to] - scene_.vertices[from]);
   }
-  double length_of(std::uint32_t e) const {
-    return glm::distance(scene_.vertices[topology_.edges[e].v0], scene_.vertices[topology_.edges[e].v1]);
-  }
-  std::uint32_t edge_between(std::uint32_t v, std::uint32_t w) const {
-    return static_cast<std::uint32_t>(find_edge(topology_, std::minmax(v, w)) - topology_.edges.data());
-  }
+  double length_of(std::uint32_t e) const { return edge_length(scene_, topology_.edges[e]); }
   Inner& inner_at(std::uint32_t e) { return *std::ranges::lower_bound(inner_, e, {}, &Inner::edge); }
 
   /// Unit vector across an edge into one of its faces.
   Point3 way_into(const Inner& inner, std::uint32_t face) const {
-    const Edge& edge = topology_.edges[inner.edge];
-    const Point3& from = scene_.vertices[edge.v0];
-    const Point3 along = way(edge.v0, edge.v1);
-    Point3 best(0, 0, 0);
-    for (const std::uint32_t v : scene_.faces.contour(face, 0)) {
-      const Point3 to = scene_.vertices[v] - from, across = to - glm::dot(to, along) * along;
-      if (glm::dot(across, across) > glm::dot(best, best)) best = across;
-    }
-    return glm::normalize(best);
+    return glm::normalize(across_face(scene_, topology_.edges[inner.edge], face));
   }
 
   Point3 flat_way(const Inner& inner) const {
@@ -298,7 +288,7 @@ class SeamFinder {
   std::vector<LineSection> sections_along(std::span<const std::uint32_t> vertices) {
     std::vector<LineSection> sections;
     for (std::size_t i = 1; i < vertices.size(); ++i) {
-      const Inner& inner = inner_at(edge_between(vertices[i - 1], vertices[i]));
+      const Inner& inner = inner_at(edge_between(topology_, vertices[i - 1], vertices[i]));
       const std::uint32_t face = topology_.edges[inner.edge].face0;
       LineSection at{length_of(inner.edge), inner.section ? inner.section : sections_.at(inner.edge)};
       const Point3 left = glm::cross(face_normal(scene_, face), way(vertices[i - 1], vertices[i]));

@@ -7,6 +7,7 @@
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "scene/model/bounds.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/model/topology.hpp"
 #include "scene/patches/borders/edge_chains.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
@@ -179,7 +180,7 @@ class TangentChains {
     for (const std::uint32_t e : tangent) {
       TangentTree& tree = trees[sets.find(end_number(e, 0))];
       --tree.nodes_less_edges;
-      tree.length += glm::distance(scene_.vertices[ends_of(e)[0]], scene_.vertices[ends_of(e)[1]]);
+      tree.length += edge_length(scene_, topology_.edges[e]);
       tree.is_kept |= is_of_strip(e) || is_between_unlike(e);
     }
     for (const std::uint32_t e : tangent) {
@@ -249,7 +250,7 @@ class TangentChains {
     for (std::uint32_t e = first; is_between_curved(e);) {
       line.edges.push_back(e);
       line.is_of_strip |= is_of_strip(e);
-      line.length += glm::distance(scene_.vertices[ends_of(e)[0]], scene_.vertices[ends_of(e)[1]]);
+      line.length += edge_length(scene_, topology_.edges[e]);
       node = other_end(e, *node);
       const std::uint32_t next = node->numbers ^ e;
       if (!node->is_passed() || next == first || is_corner(e, next, node->vertex)) return;
@@ -305,16 +306,14 @@ class TangentChains {
 
   double length_of(std::span<const std::uint32_t> chain) const {
     double length = 0;
-    for (const std::uint32_t e : chain)
-      length += glm::distance(scene_.vertices[ends_of(e)[0]], scene_.vertices[ends_of(e)[1]]);
+    for (const std::uint32_t e : chain) length += edge_length(scene_, topology_.edges[e]);
     return length;
   }
 
   /// Whether two edges that meet at a vertex belong to different lines.
   bool is_corner(std::uint32_t e, std::uint32_t next, std::uint32_t vertex) const {
     const auto away = [&](std::uint32_t edge) {
-      const auto ends = ends_of(edge);
-      return scene_.vertices[ends[0] == vertex ? ends[1] : ends[0]] - scene_.vertices[vertex];
+      return scene_.vertices[ligne::other_end(topology_.edges[edge], vertex)] - scene_.vertices[vertex];
     };
     const Point3 from = away(e), to = away(next);
     return -glm::dot(from, to) < kChainCosine * glm::length(from) * glm::length(to);
@@ -341,8 +340,7 @@ class TangentChains {
   }
 
   TangentNode* other_end(std::uint32_t e, const TangentNode& node) {
-    const auto ends = ends_of(e);
-    return node_at(ends[0] == node.vertex ? ends[1] : ends[0]);
+    return node_at(ligne::other_end(topology_.edges[e], node.vertex));
   }
 
   const Scene& scene_;

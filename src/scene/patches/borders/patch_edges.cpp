@@ -10,7 +10,7 @@
 #include "base/parallel.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/model/edge_rows.hpp"
-#include "scene/model/face_area.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/patches/borders/twisted_strips.hpp"
 #include "scene/patches/borders/whole_borders.hpp"
 #include "scene/patches/facet_graph.hpp"
@@ -205,16 +205,17 @@ class EdgeClassifier {
 
   /// Whether an edge that shares an end with another one, as those at the tip of a cone do, bends on behind a face.
   bool is_in_fan(std::uint32_t e, std::uint32_t face) const {
-    const auto along = [&](const Edge& edge) { return glm::normalize(scene_.vertices[edge.v1] - scene_.vertices[edge.v0]); };
+    const auto along = [&](std::uint32_t edge) {
+      return glm::normalize(scene_.vertices[topology_.edges[edge].v1] - scene_.vertices[topology_.edges[edge].v0]);
+    };
     const auto contour = scene_.faces.contour(face, 0);
     if (contour.size() > kMostFanSides) return false;
     const double angle = rows_.bend(e, face);
     for (std::size_t k = 0; k < contour.size(); ++k) {
-      const Edge* side = find_edge(topology_, {contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]});
-      if (!side || side == &topology_.edges[e] || side->face1 == kNone) continue;
-      const auto number = static_cast<std::uint32_t>(side - topology_.edges.data());
-      const bool is_like = rows_.bend(number, face) * angle >= kRoundingBends.least * angle * angle;
-      if (is_like && std::abs(glm::dot(along(*side), along(topology_.edges[e]))) > kRoundingBends.cosine) return true;
+      const std::uint32_t side = edge_between(topology_, contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]);
+      if (side == kNone || side == e || topology_.edges[side].face1 == kNone) continue;
+      const bool is_like = rows_.bend(side, face) * angle >= kRoundingBends.least * angle * angle;
+      if (is_like && std::abs(glm::dot(along(side), along(e))) > kRoundingBends.cosine) return true;
     }
     return false;
   }
@@ -302,7 +303,7 @@ void mark_bands(const Scene& scene, const Topology& topology, std::span<const gl
     if (q == kNone || p == q) continue;
     const Point3 n0(normals[edge.face0]), n1(normals[edge.face1]);
     SharedBorder& both = shared[{p, q}];
-    const double length = glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]);
+    const double length = edge_length(scene, edge);
     both.length += length;
     const bool is_line = edges[e] == PatchEdge::tangent || edges[e] == PatchEdge::sharp;
     if (!is_line && glm::dot(n0, n1) >= bent) both.open += length;

@@ -6,6 +6,7 @@
 
 #include "base/no_index.hpp"
 #include "geometry/degrees.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/patches/find_patches.hpp"
 
 namespace ligne {
@@ -30,7 +31,7 @@ std::vector<PatchOutline> patch_outlines(const Scene& scene, std::span<const Edg
     const std::uint32_t a = graph.facet_of[edge.face0 - object.face_begin],
                         b = graph.facet_of[edge.face1 - object.face_begin];
     if (patch_of[a] == patch_of[b]) continue;
-    const double length = glm::distance(scene.vertices[edge.v0], scene.vertices[edge.v1]);
+    const double length = edge_length(scene, edge);
     const bool is_smooth = glm::dot(graph.frames[a].normal, graph.frames[b].normal) >= smooth;
     for (const auto& [here, there] : {std::pair{a, b}, std::pair{b, a}}) {
       if (patch_of[here] == kNone) continue;

@@ -10,6 +10,7 @@
 
 #include "base/no_index.hpp"
 #include "geometry/small_matrices.hpp"
+#include "scene/model/faces_and_edges.hpp"
 
 namespace ligne {
 namespace {
@@ -149,9 +150,9 @@ void SeamSections::add_places(std::uint32_t e, std::uint32_t face, double depth,
       }
       if (ring == kSectionRings || contour.size() > kMostSectionCorners) continue;
       for (std::size_t k = 0; k < contour.size() && faces.size() < kMostSectionFaces; ++k) {
-        const Edge* side = find_edge(topology_, std::minmax(contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]));
-        if (!side || side == &edge || !is_inner_[static_cast<std::size_t>(side - topology_.edges.data())]) continue;
-        const std::uint32_t other = side->face0 == faces[next] ? side->face1 : side->face0;
+        const std::uint32_t side = edge_between(topology_, contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]);
+        if (side == kNone || side == e || !is_inner_[side]) continue;
+        const std::uint32_t other = other_face(topology_.edges[side], faces[next]);
         if (std::ranges::find(faces, other) != faces.end()) continue;
         if (glm::dot(face_normal(scene_, other), normal) < kLeastSectionCosine) continue;
         faces.push_back(other);

@@ -8,7 +8,7 @@
 
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
-#include "scene/model/face_area.hpp"
+#include "scene/model/faces_and_edges.hpp"
 
 namespace ligne {
 namespace {
@@ -79,11 +79,6 @@ class TangentLines {
     return std::atan2(glm::length(glm::cross(way, on)), glm::dot(way, on));
   }
 
-  std::uint32_t edge_between(std::uint32_t v, std::uint32_t w) const {
-    const Edge* edge = find_edge(topology_, std::minmax(v, w));
-    return edge ? static_cast<std::uint32_t>(edge - topology_.edges.data()) : kNone;
-  }
-
   /// Whether a tangent line may lie on an edge, which is none yet and no other line.
   bool may_pass(std::uint32_t e) const {
     const Edge& edge = topology_.edges[e];
@@ -135,9 +130,9 @@ class TangentLines {
       const std::vector<std::uint32_t> way = way_on(v, neighbour);
       for (std::size_t n = 3; n <= way.size(); ++n) {
         const std::span part(way.data(), n);
-        const std::uint32_t past = edge_between(v, part.back());
+        const std::uint32_t past = edge_between(topology_, v, part.back());
         if (past == kNone || !may_pass(past) || !is_detour(part)) continue;
-        for (std::size_t i = 1; i < n; ++i) edges_[edge_between(part[i - 1], part[i])] = PatchEdge::inside;
+        for (std::size_t i = 1; i < n; ++i) edges_[edge_between(topology_, part[i - 1], part[i])] = PatchEdge::inside;
         for (const std::uint32_t inner : part.subspan(1, n - 2)) count_[inner] = 0;
         edges_[past] = PatchEdge::tangent;
         std::ranges::replace(next_[v], part[1], part.back());

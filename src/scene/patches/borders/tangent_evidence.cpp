@@ -10,6 +10,7 @@
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "scene/model/bounds.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/patches/freeform.hpp"
 
 namespace ligne {
@@ -127,7 +128,7 @@ void close_unlike_borders(const Scene& scene, const Topology& topology, const Pa
     if (p == q || q == kNone) continue;
     const auto border = borders.find({p, q});
     if (border == borders.end()) continue;
-    const double length = glm::distance(scene.vertices[topology.edges[e].v0], scene.vertices[topology.edges[e].v1]);
+    const double length = edge_length(scene, topology.edges[e]);
     border->second.all += length;
     if (edges[e] == PatchEdge::tangent) border->second.tangent += length;
   }

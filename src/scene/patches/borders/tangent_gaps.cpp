@@ -9,6 +9,7 @@
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/patches/borders/edge_chains.hpp"
 
 namespace ligne {
@@ -82,9 +83,7 @@ class GapCloser {
     return {first, last};
   }
 
-  std::uint32_t other_end(std::uint32_t e, std::uint32_t v) const {
-    return topology_.edges[e].v0 == v ? topology_.edges[e].v1 : topology_.edges[e].v0;
-  }
+  std::uint32_t other_end(std::uint32_t e, std::uint32_t v) const { return ligne::other_end(topology_.edges[e], v); }
   Point3 way_from(std::uint32_t e, std::uint32_t v) const { return scene_.vertices[other_end(e, v)] - scene_.vertices[v]; }
 
   /// The open border that goes straight on behind an edge at a vertex, or kNone.

@@ -5,8 +5,10 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/model/edge_rows.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/patches/facets/flat_joints.hpp"
 
 namespace ligne {
@@ -43,9 +45,8 @@ class TwistedStrips {
   };
 
   Fold next(std::uint32_t e, std::uint32_t face) const {
-    if (face == kNone || scene_.faces.contour_count(face) != 1) return {};
+    if (face == kNone || !is_triangle(scene_.faces, face)) return {};
     const auto corners = scene_.faces.contour(face, 0);
-    if (corners.size() != 3) return {};
     const Edge& edge = topology_.edges[e];
     const std::uint32_t apex = corners[0] ^ corners[1] ^ corners[2] ^ edge.v0 ^ edge.v1;
     const auto length = [&](std::uint32_t a, std::uint32_t b) {
@@ -55,14 +56,12 @@ class TwistedStrips {
     const bool is_at_first = length(apex, edge.v0) <= longest;
     if (!is_at_first && length(apex, edge.v1) > longest) return {};
     const std::uint32_t kept = is_at_first ? edge.v1 : edge.v0;
-    const Edge* side = find_edge(topology_, std::minmax(apex, kept));
-    if (!side || side->face1 == kNone) return {};
-    const auto number = static_cast<std::uint32_t>(side - topology_.edges.data());
-    if (!may_be_smooth(topology_, number)) return {};
-    const double bend = rows_.bend(e, face), fold = -rows_.bend(number, face);
+    const std::uint32_t side = edge_between(topology_, apex, kept);
+    if (side == kNone || !may_be_smooth(topology_, side)) return {};
+    const double bend = rows_.bend(e, face), fold = -rows_.bend(side, face);
     const bool is_fold =
         bend * fold > 0 && std::abs(fold) >= kLikeFold * std::abs(bend) && std::abs(bend) >= kLikeFold * std::abs(fold);
-    return is_fold ? Fold{number, side->face0 == face ? side->face1 : side->face0, kept} : Fold{};
+    return is_fold ? Fold{side, other_face(topology_.edges[side], face), kept} : Fold{};
   }
 
   const Scene& scene_;
@@ -76,12 +75,10 @@ void smooth_twisted_strips(const Scene& scene, const Topology& topology, const M
                            std::vector<PatchEdge>& edges) {
   const TwistedStrips strips(scene, topology, angles.normals);
   const auto flat = static_cast<float>(sine_cosine_degrees(kSurfaceCreaseDegrees).cosine);
-  parallel_blocks(edges.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) {
-      if (angles.cosines[e] > flat) continue;
-      const auto number = static_cast<std::uint32_t>(e);
-      if (may_be_smooth(topology, number) && strips.contains(number)) edges[e] = PatchEdge::inside;
-    }
+  parallel_each(edges.size(), [&](std::size_t e) {
+    if (angles.cosines[e] > flat) return;
+    const auto number = static_cast<std::uint32_t>(e);
+    if (may_be_smooth(topology, number) && strips.contains(number)) edges[e] = PatchEdge::inside;
   });
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/no_index.hpp"
 #include "geometry/degrees.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/patches/borders/edge_chains.hpp"
 #include "scene/patches/borders/patch_edges.hpp"
 
@@ -49,9 +50,7 @@ class WholeBorders {
     return {patches_.patch_of[edge.face0], patches_.patch_of[edge.face1]};
   }
 
-  double length_of(std::size_t e) const {
-    return glm::distance(scene_.vertices[topology_.edges[e].v0], scene_.vertices[topology_.edges[e].v1]);
-  }
+  double length_of(std::size_t e) const { return edge_length(scene_, topology_.edges[e]); }
 
   /// Whether the facets of a free form and of what it borders on bend by kTooBent.
   bool is_bent(std::size_t e) const {
@@ -70,12 +69,9 @@ class WholeBorders {
     constexpr std::uint32_t kMixed = kNone - 1;
     std::vector<std::uint32_t> of_vertex(scene_.vertices.size(), kNone);
     for (std::uint32_t f = 0; f < scene_.faces.size(); ++f) {
-      for (std::size_t c = 0; c < scene_.faces.contour_count(f); ++c) {
-        for (const std::uint32_t v : scene_.faces.contour(f, c)) {
-          const std::uint32_t patch = patches_.patch_of[f] == kNone ? kMixed : patches_.patch_of[f];
-          of_vertex[v] = of_vertex[v] == kNone || of_vertex[v] == patch ? patch : kMixed;
-        }
-      }
+      const std::uint32_t patch = patches_.patch_of[f] == kNone ? kMixed : patches_.patch_of[f];
+      for (const std::uint32_t v : corners_of(scene_.faces, f))
+        of_vertex[v] = of_vertex[v] == kNone || of_vertex[v] == patch ? patch : kMixed;
     }
     std::vector<std::uint8_t> inner(of_vertex.size());
     for (std::size_t v = 0; v < inner.size(); ++v) inner[v] = of_vertex[v] != kNone && of_vertex[v] != kMixed;

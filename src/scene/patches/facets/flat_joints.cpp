@@ -9,7 +9,7 @@
 #include "base/no_index.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/model/edge_rows.hpp"
-#include "scene/model/face_area.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/model/planarity.hpp"
 #include "scene/patches/facet_graph.hpp"
 
@@ -30,27 +30,14 @@ class JointFinder {
     const double cosine = glm::dot(Point3(normals_[edge.face0]), Point3(normals_[edge.face1]));
     if (cosine < kFlatCosine) return false;
     if (cosine > flat_) return true;
-    if (all_triangles_ || (is_triangle(edge.face0) && is_triangle(edge.face1))) return are_flat_triangles(edge);
-    const double span = std::max(span_of(edge.face0), span_of(edge.face1));
+    if (is_triangle(scene_.faces, edge.face0) && is_triangle(scene_.faces, edge.face1)) return are_flat_triangles(edge);
+    const double span = std::max(face_span(scene_, edge.face0), face_span(scene_, edge.face1));
     const double tolerance = planarity_tolerance(object_.precision, span);
     const Point3& at = scene_.vertices[edge.v0];
     return lies_in_plane(edge.face1, edge.face0, at, tolerance) || lies_in_plane(edge.face0, edge.face1, at, tolerance);
   }
 
  private:
-  bool is_triangle(std::uint32_t f) const {
-    return scene_.faces.contour_count(f) == 1 && scene_.faces.contour(f, 0).size() == 3;
-  }
-
-  /// Largest distance of a corner from the first one.
-  double span_of(std::uint32_t f) const {
-    const auto contour = scene_.faces.contour(f, 0);
-    double most = 0;
-    for (const std::uint32_t v : contour)
-      most = std::max(most, glm::distance(scene_.vertices[v], scene_.vertices[contour[0]]));
-    return most;
-  }
-
   /// Whether the corners of a face lie in the plane of another one through a common vertex.
   bool lies_in_plane(std::uint32_t f, std::uint32_t other, const Point3& at, double tolerance) const {
     const Point3 area = double_area(scene_, other);
@@ -59,10 +46,7 @@ class JointFinder {
     const auto is_in = [&](std::uint32_t v) {
       return std::abs(glm::dot(scene_.vertices[v] - at, area)) <= tolerance * size;
     };
-    for (std::size_t c = 0; c < scene_.faces.contour_count(f); ++c) {
-      if (!std::ranges::all_of(scene_.faces.contour(f, c), is_in)) return false;
-    }
-    return true;
+    return std::ranges::all_of(corners_of(scene_.faces, f), is_in);
   }
 
   /// The corner of a triangle that is no end of an edge of it.
@@ -92,7 +76,6 @@ class JointFinder {
   const Scene& scene_;
   const Object& object_;
   const std::span<const glm::vec3> normals_;
-  const bool all_triangles_ = scene_.faces.all_triangles();
 };
 
 // Adjustable.
@@ -150,7 +133,7 @@ class InflectionFinder {
 
   double bend_at(std::uint32_t e, std::uint32_t side, std::uint32_t face) const {
     const Edge &a = topology_.edges[e], &b = topology_.edges[side];
-    if (a.v0 == b.v0 || a.v0 == b.v1 || a.v1 == b.v0 || a.v1 == b.v1) return 0;
+    if (share_vertex(a, b)) return 0;
     const Point3 one = scene_.vertices[a.v1] - scene_.vertices[a.v0], two = scene_.vertices[b.v1] - scene_.vertices[b.v0];
     if (std::abs(glm::dot(one, two)) < kParallelCosine * glm::length(one) * glm::length(two)) return 0;
     const double bend = rows_.bend(side, face);
@@ -163,10 +146,8 @@ class InflectionFinder {
     const auto contour = scene_.faces.contour(face, 0);
     if (contour.size() > kMostSides) return;
     for (std::size_t k = 0; k < contour.size(); ++k) {
-      const Edge* side = find_edge(topology_, {contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]});
-      if (!side) continue;
-      const auto number = static_cast<std::uint32_t>(side - topology_.edges.data());
-      if (may_be_smooth(topology_, number)) visit(number, side->face0 == face ? side->face1 : side->face0);
+      const std::uint32_t side = edge_between(topology_, contour[k], contour[k + 1 == contour.size() ? 0 : k + 1]);
+      if (side != kNone && may_be_smooth(topology_, side)) visit(side, other_face(topology_.edges[side], face));
     }
   }
 

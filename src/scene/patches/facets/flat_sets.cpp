@@ -3,18 +3,37 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
+#include "base/index_lists.hpp"
 #include "base/no_index.hpp"
 #include "geometry/degrees.hpp"
-#include "scene/model/face_area.hpp"
+#include "geometry/point.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/model/planarity.hpp"
 #include "scene/patches/facet_graph.hpp"
-#include "scene/patches/facets/flat_range.hpp"
 
 namespace ligne {
 namespace {
+
+/// A plane with the range of its points along the normal.
+struct FlatRange {
+  Point3 at{0, 0, 0}, normal{0, 0, 0};
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+
+  void add(const Point3& p) {
+    const double height = glm::dot(p - at, normal);
+    low = std::min(low, height), high = std::max(high, height);
+  }
+  double width() const { return high - low; }
+  void turn_to_unit() {
+    if (const double length = glm::length(normal); length > 0) normal /= length;
+  }
+  /// Moves the point of the plane to the middle of the range.
+  void move_to_middle() { at += (low + high) / 2 * normal; }
+};
 
 /// Distance from a fitted plane within which a divided set collects corners, in errors of a point: one of the corner and
 /// one of the plane.
@@ -72,27 +91,9 @@ class FlatSetFinder {
 
   std::uint32_t local(std::uint32_t face) const { return face - object_.face_begin; }
 
-  template <class Visit>
-  void for_corners(std::uint32_t f, Visit visit) const {
-    const std::uint32_t face = object_.face_begin + f;
-    if (all_triangles_) {
-      for (std::uint32_t k = 3 * face; k < 3 * face + 3; ++k) visit(corners_[k]);
-      return;
-    }
-    for (std::size_t c = 0; c < scene_.faces.contour_count(face); ++c) {
-      for (const std::uint32_t v : scene_.faces.contour(face, c)) visit(v);
-    }
-  }
+  std::span<const std::uint32_t> corners(std::uint32_t f) const { return corners_of(scene_.faces, object_.face_begin + f); }
 
-  /// The normal of a face, with twice its area as length.
-  Point3 area_of(std::uint32_t f) const {
-    const std::uint32_t face = object_.face_begin + f;
-    if (all_triangles_) {
-      const Point3& a = scene_.vertices[corners_[3 * face]];
-      return glm::cross(scene_.vertices[corners_[3 * face + 1]] - a, scene_.vertices[corners_[3 * face + 2]] - a);
-    }
-    return double_area(scene_, face);
-  }
+  Point3 area_of(std::uint32_t f) const { return double_area(scene_, object_.face_begin + f); }
 
   const Point3& first_corner(std::uint32_t f) const {
     return scene_.vertices[scene_.faces.contour(object_.face_begin + f, 0)[0]];
@@ -116,15 +117,9 @@ class FlatSetFinder {
 
   /// Whether all corners of a face lie within `tolerance` of a plane. Stops at the first that does not.
   bool lies_within(std::uint32_t f, const FlatRange& plane, double tolerance) const {
-    const auto is_near = [&](std::uint32_t v) {
+    return std::ranges::all_of(corners(f), [&](std::uint32_t v) {
       return std::abs(glm::dot(scene_.vertices[v] - plane.at, plane.normal)) <= tolerance;
-    };
-    const std::uint32_t face = object_.face_begin + f;
-    if (all_triangles_) return std::ranges::all_of(corners_.subspan(3 * std::size_t{face}, 3), is_near);
-    for (std::size_t c = 0; c < scene_.faces.contour_count(face); ++c) {
-      if (!std::ranges::all_of(scene_.faces.contour(face, c), is_near)) return false;
-    }
-    return true;
+    });
   }
 
   /// Finds the planes of the sets of three faces or more. Two faces are flat if they say so.
@@ -145,7 +140,7 @@ class FlatSetFinder {
     for (Set& set : sets_) set.range.turn_to_unit();
     for (const std::uint32_t f : faces_) {
       FlatRange& range = sets_[number_[f]].range;
-      for_corners(f, [&](std::uint32_t v) { range.add(scene_.vertices[v]); });
+      for (const std::uint32_t v : corners(f)) range.add(scene_.vertices[v]);
     }
     for (Set& set : sets_) {
       set.range.move_to_middle();
@@ -161,10 +156,10 @@ class FlatSetFinder {
     for (const std::uint32_t f : faces_) {
       const Point3& at = sets_[number_[f]].range.at;
       double& extent = extents[number_[f]];
-      for_corners(f, [&](std::uint32_t v) {
+      for (const std::uint32_t v : corners(f)) {
         const Point3 off = scene_.vertices[v] - at;
         extent = std::max(extent, glm::dot(off, off));
-      });
+      }
     }
     const double flat_sine = sine_cosine_degrees(kFlatBend).sine;
     for (std::size_t i = 0; i < sets_.size(); ++i) {
@@ -195,18 +190,13 @@ class FlatSetFinder {
   }
 
   void list_neighbours() {
-    begin_.assign(set_of_.size() + 2, 0);
-    for (const Edge& edge : edges_) {
-      if (edge.face1 != kNone) ++begin_[local(edge.face0) + 2], ++begin_[local(edge.face1) + 2];
-    }
-    for (std::size_t i = 2; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-    neighbours_.resize(begin_.back());
-    for (const Edge& edge : edges_) {
-      if (edge.face1 == kNone) continue;
-      const std::uint32_t a = local(edge.face0), b = local(edge.face1);
-      neighbours_[begin_[a + 1]++] = b;
-      neighbours_[begin_[b + 1]++] = a;
-    }
+    neighbours_ = IndexLists(set_of_.size(), [&](const auto& add) {
+      for (const Edge& edge : edges_) {
+        if (edge.face1 == kNone) continue;
+        add(local(edge.face0), local(edge.face1));
+        add(local(edge.face1), local(edge.face0));
+      }
+    });
     area_.resize(set_of_.size());
     for (std::uint32_t f = 0; f < area_.size(); ++f) area_[f] = glm::length(area_of(f));
     reached_.assign(set_of_.size(), kNone);
@@ -291,7 +281,9 @@ class FlatSetFinder {
     plane.at = first_corner(members_[0]);
     for (const std::uint32_t f : members_) plane.normal += area_of(f);
     plane.turn_to_unit();
-    for (const std::uint32_t f : members_) for_corners(f, [&](std::uint32_t v) { plane.add(scene_.vertices[v]); });
+    for (const std::uint32_t f : members_) {
+      for (const std::uint32_t v : corners(f)) plane.add(scene_.vertices[v]);
+    }
     plane.move_to_middle();
     return plane;
   }
@@ -323,7 +315,7 @@ class FlatSetFinder {
       ++round_;
       for (const std::uint32_t f : seeds) reached_[f] = round_;
       for (std::size_t k = 0; k < members_.size(); ++k) {
-        for (const std::uint32_t next : neighbours_of(members_[k])) {
+        for (const std::uint32_t next : neighbours_[members_[k]]) {
           ++looks_;
           if (reached_[next] == round_ || rejections_[next] >= kMostRejections) continue;
           if (!lies_within(next, plane, tolerance)) continue;
@@ -336,10 +328,6 @@ class FlatSetFinder {
     return plane;
   }
 
-  std::span<const std::uint32_t> neighbours_of(std::uint32_t f) const {
-    return {neighbours_.data() + begin_[f], neighbours_.data() + begin_[f + 1]};
-  }
-
   /// Whether the members, which this round has reached, lie in a plane, rather than on a surface that leaves any plane
   /// slowly.
   bool is_flat(const FlatRange& plane) {
@@ -349,7 +337,7 @@ class FlatSetFinder {
     const double most = (kMostGrowth - 1) * area, wide = kWider * tolerance_of(plane);
     double added = 0;
     for (std::size_t i = 0; i < members_.size() && added <= most; ++i) {
-      for (const std::uint32_t next : neighbours_of(members_[i])) {
+      for (const std::uint32_t next : neighbours_[members_[i]]) {
         if (reached_[next] == round_) continue;
         reached_[next] = round_;
         const bool is_near = lies_within(next, plane, wide);
@@ -364,15 +352,13 @@ class FlatSetFinder {
 
   const Scene& scene_;
   const Object& object_;
-  const bool all_triangles_ = scene_.faces.all_triangles();
-  const std::span<const std::uint32_t> corners_ = scene_.faces.corners();
   std::span<const Edge> edges_;
   std::span<const std::uint32_t> joints_;
   std::vector<std::uint32_t> set_of_;  ///< per face: a face of its set
   std::vector<Set> sets_;
   std::vector<std::uint32_t> faces_;   ///< those of these sets
   std::vector<std::uint32_t> number_;  ///< per face: its set in sets_, kNone if that has less than three faces
-  std::vector<std::uint32_t> begin_, neighbours_;
+  IndexLists neighbours_;              ///< per face: those beside it
   std::vector<double> area_;
   std::vector<std::uint8_t> rejections_;  ///< per face: number of rejected sets that collected it
   std::vector<std::uint32_t> reached_;    ///< per face: the last round that reached it

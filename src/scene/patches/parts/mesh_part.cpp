@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "base/uninitialized_vector.hpp"
 
 namespace ligne {
@@ -36,14 +37,6 @@ class Numbers {
   UninitializedVector<std::uint32_t> numbers_;
 };
 
-/// Calls work(i) for all i in [0, count), in parallel.
-template <class Work>
-void for_each(std::size_t count, const Work& work) {
-  parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) work(i);
-  });
-}
-
 /// Several threads may mark the same thing.
 void mark(std::uint8_t& thing) { std::atomic_ref(thing).store(1, std::memory_order_relaxed); }
 
@@ -66,7 +59,7 @@ MeshPart part_of(const FaceWalk& walk, const FaceSet& set) {
   MeshPart part;
   part.faces = numbers_of(set.holds, 0);
   std::vector<std::uint8_t> has_vertex(object.vertex_end - object.vertex_begin, 0), has_edge(whole.edge_count(), 0);
-  for_each(part.faces.size(), [&](std::size_t i) {
+  parallel_each(part.faces.size(), [&](std::size_t i) {
     for (const std::uint32_t v : whole.scene.faces.contour(first_face + part.faces[i], 0))
       mark(has_vertex[v - object.vertex_begin]);
     walk.for_edges(part.faces[i], [&](std::uint32_t k) { mark(has_edge[k]); });
@@ -80,7 +73,7 @@ MeshPart part_of(const FaceWalk& walk, const FaceSet& set) {
   for (const std::uint32_t v : vertices) part.scene.vertices.push_back(whole.scene.vertices[v]);
   const std::span<std::uint32_t> corners = part.scene.faces.append_triangles(part.faces.size());
   part.normals.resize(part.faces.size());
-  for_each(part.faces.size(), [&](std::size_t i) {
+  parallel_each(part.faces.size(), [&](std::size_t i) {
     const std::uint32_t f = first_face + part.faces[i];
     const auto contour = whole.scene.faces.contour(f, 0);
     for (std::size_t k = 0; k < 3; ++k) corners[3 * i + k] = number_of_vertex[contour[k]];
@@ -88,7 +81,7 @@ MeshPart part_of(const FaceWalk& walk, const FaceSet& set) {
   });
   part.topology.edges.resize(part.edges.size());
   part.topology.edge_flags.resize(part.edges.size());
-  for_each(part.edges.size(), [&](std::size_t i) {
+  parallel_each(part.edges.size(), [&](std::size_t i) {
     Edge edge = whole.topology.edges[part.edges[i]];
     if (!holds(edge.face0)) std::swap(edge.face0, edge.face1);
     edge.v0 = number_of_vertex[edge.v0];

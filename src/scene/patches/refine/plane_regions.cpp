@@ -9,6 +9,7 @@
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
 #include "scene/creases/face_normals.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/patches/refine/chord_corners.hpp"
 
 namespace ligne {
@@ -106,12 +107,7 @@ class RegionFinder {
         sides_.emplace_back();
       }
       found_.region_of[f] = region;
-      for (std::size_t c = 0; c < scene_.faces.contour_count(f); ++c) {
-        const auto contour = scene_.faces.contour(f, c);
-        for (std::size_t k = 0; k < contour.size(); ++k) {
-          sides_[region].push_back({contour[k], contour[(k + 1) % contour.size()]});
-        }
-      }
+      for_sides(scene_.faces, f, [&](std::uint32_t v, std::uint32_t w) { sides_[region].push_back({v, w}); });
     }
   }
 

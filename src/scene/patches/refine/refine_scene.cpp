@@ -43,10 +43,7 @@ std::vector<std::uint32_t> free_rims(const Scene& scene, const Topology& topolog
     if (patch == kNone) continue;
     const Point3 middle = 0.5 * (scene.vertices[edge.v0] + scene.vertices[edge.v1]);
     const double within = kRimSags * std::abs(patches.list[patch].surface.distance(middle));
-    const auto is_apart = [&](std::uint32_t segment, double) {
-      const Edge& other = topology.edges[open[segment]];
-      return other.v0 != edge.v0 && other.v0 != edge.v1 && other.v1 != edge.v0 && other.v1 != edge.v1;
-    };
+    const auto is_apart = [&](std::uint32_t segment, double) { return !share_vertex(topology.edges[open[segment]], edge); };
     if (tree.nearest(middle, within, is_apart).segment == kNone) rims.push_back(e);
   }
   return rims;

@@ -10,6 +10,7 @@
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "scene/patches/refine/chord_corners.hpp"
 #include "scene/patches/refine/shared_point.hpp"
 #include "scene/patches/refine/turned_edges.hpp"
@@ -350,19 +351,17 @@ EdgeLevels edge_levels(const Scene& scene, const Topology& topology, const Patch
   constexpr std::uint8_t kCurved = 1;
   const auto patch_of = [&](std::uint32_t face) { return face == kNone ? kNone : patches.patch_of[face]; };
   std::vector<std::uint8_t> level(topology.edges.size(), 0);  // kCurved plus the halvings that an edge needs; 0: straight
-  parallel_blocks(level.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) {
-      const Edge& edge = topology.edges[e];
-      const Point3 &p = scene.vertices[edge.v0], &q = scene.vertices[edge.v1], middle = 0.5 * (p + q);
-      for (const std::uint32_t patch : {patch_of(edge.face0), patch_of(edge.face1)}) {
-        if (patch == kNone || patches.list[patch].is_band) continue;
-        const double off = off_border(patches.list[patch].surface, p, q);
-        if (off <= kStraight * glm::distance(p, q)) continue;
-        double mm = off * limits.unit_mm(middle);
-        std::uint8_t needed = kCurved;
-        for (; mm > limits.most_mm && needed < kCurved + kMostLevels; mm /= 4) ++needed;
-        level[e] = std::max(level[e], needed);
-      }
+  parallel_each(level.size(), [&](std::size_t e) {
+    const Edge& edge = topology.edges[e];
+    const Point3 &p = scene.vertices[edge.v0], &q = scene.vertices[edge.v1], middle = 0.5 * (p + q);
+    for (const std::uint32_t patch : {patch_of(edge.face0), patch_of(edge.face1)}) {
+      if (patch == kNone || patches.list[patch].is_band) continue;
+      const double off = off_border(patches.list[patch].surface, p, q);
+      if (off <= kStraight * glm::distance(p, q)) continue;
+      double mm = off * limits.unit_mm(middle);
+      std::uint8_t needed = kCurved;
+      for (; mm > limits.most_mm && needed < kCurved + kMostLevels; mm /= 4) ++needed;
+      level[e] = std::max(level[e], needed);
     }
   });
   EdgeLevels found;

@@ -33,7 +33,6 @@ struct SplitTriangles {
   KeyTable middles{};                         ///< by the key of an edge: the new vertex that splits it
   std::vector<std::uint8_t> is_region_split;  ///< per plane region: 1 if its border has new or moved vertices
 
-  static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return std::uint64_t{a < b ? a : b} << 32 | (a < b ? b : a); }
   /// Appends the vertices of the pieces of the edge from a to b, without b.
   void append_pieces(std::uint32_t a, std::uint32_t b, std::vector<std::uint32_t>& to) const;
 };

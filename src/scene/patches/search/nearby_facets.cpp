@@ -3,6 +3,7 @@
 #include <functional>
 #include <glm/geometric.hpp>
 
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/patches/search/surface_search.hpp"
 
 namespace ligne {
@@ -88,8 +89,7 @@ void SurfaceSearch::sort_by_sides(std::uint32_t seed, std::vector<std::uint32_t>
   const auto side = [&](std::uint32_t f) {
     double most = 0;
     for (const FacetGraph::Arc& arc : graph_.arcs_of(seed)) {
-      const Edge& edge = topology_.edges[arc.edge];
-      if (arc.facet == f) most = std::max(most, glm::distance(scene_.vertices[edge.v0], scene_.vertices[edge.v1]));
+      if (arc.facet == f) most = std::max(most, edge_length(scene_, topology_.edges[arc.edge]));
     }
     return most;
   };
@@ -120,8 +120,7 @@ std::vector<std::uint32_t> SurfaceSearch::strip_of(std::uint32_t seed) {
   for (std::size_t i = 0; i < facets.size() && facets.size() < kMostStrip; ++i) {
     for (const FacetGraph::Arc& arc : graph_.arcs_of(facets[i])) {
       if (stamp_[arc.facet] == round_ || !is_left_and_may_curve(arc.facet)) continue;
-      const Edge& edge = topology_.edges[arc.edge];
-      if (glm::distance(scene_.vertices[edge.v0], scene_.vertices[edge.v1]) < kRulingPart * longest) continue;
+      if (edge_length(scene_, topology_.edges[arc.edge]) < kRulingPart * longest) continue;
       if (kLikeArea * graph_.area[arc.facet] > graph_.area[seed]) continue;
       stamp_[arc.facet] = round_;
       facets.push_back(arc.facet);

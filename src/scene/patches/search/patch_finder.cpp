@@ -11,6 +11,7 @@
 #include "base/large_vector.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 
 namespace ligne {
 namespace {
@@ -117,9 +118,7 @@ std::vector<PatchFinder::Seed> PatchFinder::seeds() const {
   const std::vector<std::uint32_t> facets =
       indices_where(graph_.size(), [&](std::size_t f) { return may_be_seed(static_cast<std::uint32_t>(f)); });
   std::vector<Seed> seeds = large_vector<Seed>(facets.size());
-  parallel_blocks(facets.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) seeds[i] = {longest_diagonal(facets[i]), facets[i]};
-  });
+  parallel_each(facets.size(), [&](std::size_t i) { seeds[i] = {longest_diagonal(facets[i]), facets[i]}; });
   return seeds;
 }
 

@@ -3,6 +3,7 @@
 // allocated, and each instance gets its place in it. A second pass converts positions and indices straight into the scene,
 // several instances at a time.
 
+#include "base/parallel_each.hpp"
 #include "scene/readers/format_readers.hpp"
 
 #include <algorithm>
@@ -290,9 +291,7 @@ class Reader {
     } catch (const InputError&) {  // a normal is not finite: the ones before it stay
     }
     std::vector<std::uint32_t> packed(normals.size());
-    parallel_blocks(normals.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) packed[i] = packed_direction(normals[i]);
-    });
+    parallel_each(normals.size(), [&](std::size_t i) { packed[i] = packed_direction(normals[i]); });
     const auto corners = std::as_const(scene_.faces).corners();
     for (const std::size_t end = corner + 3 * p.triangle_count(); corner < end; ++corner) {
       shading_->corner_normals[corner] = packed[corners[corner] - first_vertex];
