@@ -1,5 +1,6 @@
 #pragma once
-/// Segments of the page that lie along each other, in plain doubles: differences below a micrometre do not matter here.
+/// Segments of the page that lie along each other, in plain doubles and mm: differences below a micrometre do not matter
+/// here.
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ struct Range {
   double length() const { return to - from; }
 };
 
-/// The part of `base` along which `other` runs within `lateral` of the line of `base`.
+/// The part of `base` beside which `other` lies within `lateral` of the line through `base`.
 inline std::optional<Range> along(const Segment& base, const Segment& other, double lateral) {
   const double n = base.length();
   if (n == 0) return {};
@@ -44,7 +45,7 @@ inline std::optional<Range> along(const Segment& base, const Segment& other, dou
   return range;
 }
 
-/// The segment's greatest distance from the line of `base`.
+/// Largest distance of a point of `other` from the line through `base`.
 inline double deviation(const Segment& base, const Segment& other) {
   const double n = base.length();
   if (n == 0) return 0;
@@ -53,7 +54,7 @@ inline double deviation(const Segment& base, const Segment& other) {
   return std::max(y(other.from), y(other.to));
 }
 
-/// The rest of [from, to] outside the ranges.
+/// The parts of [from, to] that no range covers, ascending.
 inline std::vector<Range> gaps(std::vector<Range> ranges, double from, double to) {
   std::sort(ranges.begin(), ranges.end(), [](const Range& l, const Range& r) { return l.from < r.from; });
   std::vector<Range> result;
@@ -68,8 +69,9 @@ inline std::vector<Range> gaps(std::vector<Range> ranges, double from, double to
   return result;
 }
 
-/// Length of the interval where one segment lies within `lateral` of the other all along. It is 0 for a wedge, which is
-/// two segments that leave one point at an angle.
+/// Length of the common interval, after projection onto the line of the longer segment. It is 0 if the shorter segment
+/// is at most `lateral` long, or farther than that from the line anywhere in the interval. So a wedge (two segments that
+/// leave one point at an angle) counts only if it stays within `lateral`.
 inline double common_length(const Segment& a, const Segment& b, double lateral) {
   const bool swapped = b.length() > a.length();
   const Segment &base = swapped ? b : a, &other = swapped ? a : b;
