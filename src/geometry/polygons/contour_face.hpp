@@ -2,9 +2,9 @@
 /// Faces whose contours refer to the lattice segments that they came from.
 ///
 /// A corner made by a clip lies on no lattice, so it is not stored as a point. An edge of a contour is a run on a
-/// *source segment*, whose ends are lattice points, from one exact parameter to another. Clipping shortens runs but
-/// never changes a segment. So every predicate is exact on the segments as given, after any number of clips, and each
-/// piece of a border knows its source.
+/// *source segment*, from one exact parameter to another; the ends of the segment are lattice points. Clipping shortens
+/// runs but never changes a segment. So every predicate is exact on the segments as given, after any number of clips, and
+/// each piece of a border knows its source. A corner as a point is rounded to the fine lattice (FinePoint).
 
 #include <cstdint>
 #include <span>
@@ -43,17 +43,17 @@ struct ContourFace {
 /// touch themselves and each other, but must not cross.
 ContourFace make_contour_face(std::span<const std::vector<LatticePoint>> contours, std::uint32_t first_source = 0);
 
-/// Faces bounded by the edges, which may come in any order and form closed contours with the inside on their left. Of
-/// coincident edges one is kept; two that run in opposite directions vanish.
+/// Links edges, given in any order, to faces. The edges must form closed contours with the inside on their left. One of
+/// several coincident edges is kept; coincident edges that run in opposite directions are all dropped.
 ///
 /// Invariants: contours of one face do not cross; a corner appears once in a contour; faces that share only corners are
 /// separate faces. Consecutive runs on one source are merged, except where other contours touch. Contours without area
 /// are left out.
 ///
-/// With `closed`, contours stay closed exactly, not only on the fine lattice: runs with equal begin() and end() on the
-/// fine lattice, which are otherwise left out, are kept in a contour that passes there. Use it for faces that will be
-/// clipped again, since lines along their edges could pass through the gap. Of coincident edges the first is then kept,
-/// otherwise the one with the lowest source.
+/// With `closed`, contours stay closed exactly, not only on the fine lattice: a contour keeps runs whose begin() and end()
+/// are equal there, which are otherwise left out. Use it for faces that will be clipped again, since lines along their
+/// edges could pass through the gap. The first of several coincident edges is then kept, otherwise the one with the lowest
+/// source.
 std::vector<ContourFace> link_edges(std::vector<ContourEdge> edges, bool closed = false);
 
 /// Twice the signed area in square steps, computed exactly from the corners on the fine lattice and rounded once.
@@ -61,7 +61,7 @@ double twice_area(const EdgeLoop& loop);
 double twice_area(const ContourFace& face);
 double twice_area(std::span<const ContourFace> faces);
 
-/// +1 inside, 0 on a contour, -1 outside, for the corners as they are on the fine lattice.
+/// +1 inside, 0 on a contour, -1 outside, with the corners rounded to the fine lattice.
 int position_in_face(const ContourFace& face, FinePoint p);
 
 }  // namespace ligne

@@ -1,5 +1,5 @@
 #pragma once
-/// Triangulates a region behind a sweep line.
+/// Triangulates a polygon while a sweep line crosses it from left to right.
 
 #include <array>
 #include <cstdint>
@@ -16,13 +16,13 @@ namespace ligne {
 ///       a ------------------------ upper edge      The chain a b c d bends away from the inside (or is straight) at each
 ///        \                                         corner, so the next corner p of the slab sees all of it from the upper
 ///         b--__               |                    edge; from the lower edge it sees the corners from d back to the first
-///              c--__d         | sweep line         bend that hides the others. What p sees is cut off.
-///                    \________|_ lower edge
+///              c--__d         | sweep line         bend that hides the others. The triangles between p
+///                    \________|_ lower edge         and the corners that it sees are cut off.
 ///
-/// Invariant: all corners of a chain except the first lie on one side of the slab. Where two slabs have met at a
-/// corner, both of their chains end there, and the next corner of the slab is joined to it (Garey, Johnson, Preparata
-/// and Tarjan 1978: cutting into monotone parts and cutting the parts, done in one pass). The signs are exact, and no
-/// triangle lacks area: a corner collinear with the last two of a chain is added to the chain.
+/// Invariant: all corners of a chain except the first come from one side of the slab (Chain::side). Where two slabs have
+/// met at a corner, both of their chains end there, and the next corner of the slab is joined to it. Garey, Johnson,
+/// Preparata and Tarjan 1978 cut a polygon into monotone parts, and the parts into triangles; this does both in one pass.
+/// The signs are exact, and no triangle lacks area: a corner collinear with the last two of a chain is added to the chain.
 class MonotoneChains {
  public:
   using Index = std::uint32_t;
