@@ -13,8 +13,8 @@
 
 namespace ligne {
 
-/// The indices that append(begin, end, found) adds to `found` for the blocks [begin, end) of [0, count), in the order of the
-/// blocks, which have `size` indices each. Several threads call append().
+/// Calls append(begin, end, found) for blocks of `size` indices of [0, count), and returns the indices that it adds to
+/// `found`, in the order of the blocks. Several threads call append().
 template <class Append>
 std::vector<std::uint32_t> indices_of_blocks(std::size_t count, const Append& append, std::size_t size = kShortWorkBlock) {
   std::vector<std::vector<std::uint32_t>> found(block_count(count, size));
@@ -39,8 +39,8 @@ std::vector<std::uint32_t> indices_where(std::size_t count, const Wanted& wanted
   return indices_of_blocks(count, append, size);
 }
 
-/// The indices of the elements that have any of the bits `wanted`, ascending. `marks` is an array of small numbers. Four
-/// words of them are passed at a time, so rare marks cost little.
+/// The indices of the elements that have any of the bits `wanted`, ascending. `marks` is an array of unsigned integers.
+/// Four 64-bit words without these bits are skipped at once, so rare marks cost little.
 template <class Marks>
 std::vector<std::uint32_t> indices_of_marks(const Marks& marks, std::uint64_t wanted = ~std::uint64_t{0}) {
   const auto* const values = std::data(marks);

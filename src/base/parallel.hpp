@@ -1,7 +1,7 @@
 #pragma once
 /// Parallel loops. Results must not depend on the number of threads: the work is divided by index, and the work on an
-/// index writes only to memory of its own. The threads are those of the caller's oneTBB arena. This header hides the
-/// headers of oneTBB, which take seconds to compile, from all sources but one.
+/// index writes only to its own memory. The threads are those of the caller's oneTBB arena. The headers of oneTBB take
+/// seconds to compile, so only the source of this header includes them.
 
 #include <algorithm>
 #include <cstddef>
@@ -34,28 +34,30 @@ class FunctionRef<Result(Arguments...)> {
   Result (*call_)(void*, Arguments...);
 };
 
-/// Calls work(i) for all i in [0, count). Consecutive indices may share a task. Throws what work() throws, and Stopped
-/// (stop.hpp) where a task beside the calling one has thrown: then some calls were not made.
+/// Calls work(i) for all i in [0, count). Consecutive indices may share a task. Throws what work() throws. A call from
+/// within a task also throws Stopped (stop.hpp), if another task of that loop has thrown or the work was cancelled. Some
+/// calls of work() are not made then.
 void parallel_for(std::size_t count, FunctionRef<void(std::size_t)> work);
 
 /// parallel_for() for few indices with long and uneven work: each index is a separate task.
 void parallel_tasks(std::size_t count, FunctionRef<void(std::size_t)> work);
 
-/// parallel_tasks() within a task: while it waits for its own tasks, the calling thread takes up no others.
+/// parallel_tasks() for a call from within a task: while it waits, the calling thread runs only tasks of this call.
 void parallel_tasks_apart(std::size_t count, FunctionRef<void(std::size_t)> work);
 
 /// Calls work(begin, end) for the blocks [0, size), [size, 2 size), ... of [0, count); the last may be shorter. The
 /// blocks do not depend on the number of threads. `size` must be positive.
 void parallel_blocks(std::size_t count, std::size_t size, FunctionRef<void(std::size_t, std::size_t)> work);
 
-/// Block sizes, in indices: where the work on an index is short, as for a vertex or a triangle; where it is a search.
-/// Adjustable.
+/// Block sizes, in indices. kShortWorkBlock is for short work per index, such as on a vertex or a triangle;
+/// kSearchBlock is for a search per index. Adjustable.
 inline constexpr std::size_t kShortWorkBlock = 4096, kSearchBlock = 256;
 
 /// Number of blocks of parallel_blocks(); the block that begins at `begin` has the number begin / size.
 inline std::size_t block_count(std::size_t count, std::size_t size) { return (count + size - 1) / size; }
 
-/// Calls work(begin, end) for the blocks in parallel, and adds the results to `sum` in the order of the blocks.
+/// Calls work(begin, end) for the blocks of `size` indices in parallel, and adds the results to `sum` in the order of
+/// the blocks.
 template <class Sum, class Work, class Add = std::plus<>>
 Sum parallel_reduce(std::size_t count, std::size_t size, Sum sum, Work work, Add add = {}) {
   std::vector<Sum> parts(block_count(count, size), sum);
@@ -64,11 +66,12 @@ Sum parallel_reduce(std::size_t count, std::size_t size, Sum sum, Work work, Add
   return sum;
 }
 
-/// Largest number of threads, and the index of the calling thread, which is less: for memory that each thread owns.
+/// Largest number of threads, and the index of the calling thread, in [0, thread_count()). For memory that each thread
+/// owns.
 std::size_t thread_count();
 std::size_t thread_index();
 
-/// Makes all threads of the arena work once, so that none has to be started later. Stops waiting if some do not come.
+/// Starts all threads of the arena, so that no later loop has to. Waits for them at most a fifth of a second.
 void start_threads();
 
 /// Calls work() with at most `threads` threads; 0: as many as there are processors.

@@ -1,5 +1,5 @@
 #pragma once
-/// A parallel, stable counting sort into buckets ("parts").
+/// A parallel, stable counting sort. The code calls a bucket a part.
 
 #include <cstddef>
 #include <utility>
@@ -9,20 +9,20 @@
 
 namespace ligne {
 
-/// Sorts items into buckets. An index of [0, count) may produce any number of items. The caller passes three functions:
-/// - list(begin, end, take) calls take(part, item...) for all items of the indices [begin, end); it is called twice for
-///   each block, and must produce the same items both times;
-/// - allocate(n) is called once between, with the total number of items;
+/// Sorts items into `parts` buckets. An index of [0, count) may produce any number of items. The caller passes three
+/// functions:
+/// - list(begin, end, take) calls take(part, item...) for all items of the indices [begin, end). Each of the two passes
+///   calls it once per block of `block` indices. It must produce the same items both times;
+/// - allocate(n) is called once, between the passes, with the total number of items;
 /// - put(place, item...) stores an item at its place in [0, n). Several threads call it.
 ///
-/// `block` is the number of indices per block, `parts` the number of buckets. Items of a bucket keep the order in which
-/// they are listed, for any number of threads. Returns the first place of each bucket, followed by n. O(items + parts *
-/// blocks).
+/// Items of a bucket keep the order in which they are listed, for any number of threads. Returns the first place of each
+/// bucket, followed by n. Takes O(items + parts * blocks).
 template <class List, class Allocate, class Put>
 std::vector<std::size_t> parallel_counting_sort(std::size_t count, std::size_t block, std::size_t parts, const List& list,
                                                 const Allocate& allocate, const Put& put) {
   const std::size_t blocks = block_count(count, block);
-  std::vector<std::size_t> place(blocks * parts, 0);  // counts, then the next places, per block and part
+  std::vector<std::size_t> place(blocks * parts, 0);  // per block and part: its count, then its next place
   parallel_blocks(count, block, [&](std::size_t begin, std::size_t end) {
     std::size_t* const counts = place.data() + begin / block * parts;
     list(begin, end, [counts](std::size_t part, const auto&...) { ++counts[part]; });
