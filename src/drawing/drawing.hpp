@@ -55,12 +55,12 @@ inline void append(Polylines& to, const Polylines& from) {
 inline constexpr std::size_t kStrokeLayerCount = kLineClassCount + 2;
 /// Index of the layer of a stroke, from 0, in painting order. `level` is Stroke::level.
 std::size_t stroke_layer(LineClass line_class, bool visible, unsigned level);
-/// "hidden", "behind-glass", or the name of the class.
+/// "hidden", "behind-glass" for strokes behind transparent faces, or the name of the line class.
 std::string_view stroke_layer_name(std::size_t layer);
 
-/// A set of polylines drawn in one style. Its name identifies it: a name of stroke_layer_name(), or "underside",
-/// "contour-base", "contour-index", "shore", "water", "text", "debug", "hatch", "legend". Successive layers with the
-/// same name are parts of one layer, divided by object, colour and width.
+/// A set of polylines drawn in one style. Its name identifies it: one of stroke_layer_name(), "underside",
+/// "contour-base", "contour-index", "shore", "water", "points", "text", "debug", "hatch" and "legend".
+/// Successive layers with the same name are parts of one layer, divided by object, colour and width.
 struct Layer {
   std::string name;
   Polylines lines;
@@ -86,7 +86,7 @@ struct FacePicture {
   std::uint32_t width = 0, height = 0;
   std::vector<std::uint8_t> gray;   ///< a byte a pixel; empty if the picture has colours
   Point2 corner_mm{0, 0};           ///< position of its upper left corner on the page
-  double pixel_mm = 0;              ///< side of a pixel on the page; 0: the pixels are those of the page
+  double pixel_mm = 0;              ///< side of a pixel on the page; 0: the pixels are those of a PNG page
   std::vector<std::uint8_t> rgb{};  ///< red, green, blue of each pixel; empty if the picture is gray
 
   bool empty() const { return gray.empty() && rgb.empty(); }

@@ -11,21 +11,21 @@
 
 namespace ligne {
 
-/// Lists of transparent faces. A list is the index of its frontmost layer, and each layer has the index of the rest of
-/// the list. Equal lists have one index, so comparing two of them is comparing two numbers.
+/// Lists of transparent faces, from front to back. A list is the index of its frontmost layer; each layer stores a face and
+/// the list behind it. Equal lists have equal indices, so comparing two lists means comparing two numbers.
 class TransparentLayers {
  public:
   static constexpr std::uint32_t kEmptyList = 0;  ///< the empty list
 
   struct Layer {
     std::uint32_t face = 0;             ///< face of the scene
-    std::uint32_t behind = kEmptyList;  ///< the rest of the list; its index is smaller
+    std::uint32_t behind = kEmptyList;  ///< list behind the face; its index is smaller
   };
 
-  /// The list that begins with `face` and goes on with `behind`.
+  /// Puts a face in front of a list, and returns the new list.
   std::uint32_t over(std::uint32_t face, std::uint32_t behind);
 
-  /// Adds the layers of other lists. Returns the new index of each of their indices.
+  /// Adds all lists of `other`. Returns the index here of each list there.
   std::vector<std::uint32_t> merge(const TransparentLayers& other);
 
   bool empty() const { return layers_.size() == 1; }
@@ -37,7 +37,7 @@ class TransparentLayers {
 
  private:
   std::vector<Layer> layers_{1};  ///< the first stands for the empty list
-  KeyTable numbers_;              ///< by face and rest
+  KeyTable numbers_;              ///< indices of the layers, by face and list behind
 };
 
 /// A visible face, or paper (kNone), behind a list of transparent faces.
@@ -46,8 +46,8 @@ struct SeenFace {
   std::uint32_t in_front = TransparentLayers::kEmptyList;
 };
 
-/// The colour of a visible face on white paper, composed from front to back. color_of(face) gives N components, one of gray
-/// or three of colours, opacity_of(face) a number, all in [0, 1]; the face behind the list is opaque.
+/// The colour of a visible face on white paper, composed from front to back. color_of(face) returns N components: one for
+/// gray, three for red, green and blue. opacity_of(face) returns a number. All are in [0, 1]. `seen.face` is opaque.
 template <std::size_t N, class ColorOf, class OpacityOf>
 std::array<double, N> seen_color(const TransparentLayers& layers, const SeenFace& seen, ColorOf color_of,
                                  OpacityOf opacity_of) {
