@@ -40,12 +40,12 @@ struct ClipVolume {
   }
 };
 
-/// The volume in which lines are drawn: the window and all points that the lattice rounds onto its border. So a line
-/// along the border, or a vertex on it, is in view however its projection is rounded.
+/// The volume in which lines are drawn: the window widened by half a lattice step, with all points that the lattice
+/// rounds onto its border. So a line along the border, or a vertex on it, is in view however it is rounded.
 ClipVolume line_volume(const View& view, const Lattice& lattice);
 
-/// The volume to which faces are clipped: larger than the window by kWindowMarginSteps, so that the faces on both sides
-/// of a line along the window's border are known.
+/// The volume to which faces are clipped: the window widened by kWindowMarginSteps lattice steps, so that the faces on
+/// both sides of a line along its border are known.
 ClipVolume face_volume(const View& view, const Lattice& lattice);
 
 /// Clips a convex contour in place. The result is empty if nothing lies inside.
@@ -56,9 +56,8 @@ struct SegmentPart {
   /// First and last parameter t of a + t (b - a), 0 <= t <= 1. Since the coordinates are homogeneous, t is also the
   /// parameter on the edge in model space.
   std::array<double, 2> range{0, 1};
-  /// Per end: whether the end of the segment lies outside, so that the part ends on the border of the volume. The
-  /// parameters do not tell: if the end is outside by a rounding only, the parameter of the cut may be rounded to 0 or
-  /// 1.
+  /// Per end: whether the end of the segment lies outside, so that the part ends on the border of the volume. `range`
+  /// does not show this: if the end is outside by a rounding error only, the parameter of the cut may round to 0 or 1.
   std::array<bool, 2> cut{false, false};
 
   bool whole() const { return !cut[0] && !cut[1]; }
