@@ -77,8 +77,4 @@ struct RunReport {
 /// The report as a table for people.
 std::string report_text(const RunReport& report);
 
-/// The report as JSON: {"format": "ligne-stats", "version": 1, "method", "counts", "seconds", "clear", "choices",
-/// "stages", "processor_seconds"}. "clear" and "choices" are omitted if empty.
-std::string report_json(const RunReport& report);
-
 }  // namespace ligne

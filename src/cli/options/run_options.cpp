@@ -11,6 +11,7 @@
 #include "picture/parse/parse.hpp"
 #include "picture/parse/parse_options.hpp"
 #include "plotting/page.hpp"
+#include "report/run_json.hpp"
 
 namespace ligne {
 namespace {
