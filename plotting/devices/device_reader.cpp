@@ -6,7 +6,7 @@
 #include "plotting/devices/device.hpp"
 #include "plotting/devices/embedded.hpp"
 #include "plotting/devices/pens.hpp"
-#include "plotting/readers/toml_reading.hpp"
+#include "plotting/devices/toml_reading.hpp"
 
 namespace ligne {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "files/message_text.hpp"
 #include "plotting/devices/pens.hpp"
-#include "plotting/readers/toml_reading.hpp"
+#include "plotting/devices/toml_reading.hpp"
 
 namespace ligne {
 namespace {

@@ -1,4 +1,4 @@
-#include "plotting/readers/toml_reading.hpp"
+#include "plotting/devices/toml_reading.hpp"
 
 namespace ligne {
 namespace {
