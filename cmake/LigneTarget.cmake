@@ -27,7 +27,7 @@ endif()
 # compile_together(TARGET file... SETS "folder folder ..."...): compiles the sources of a folder together, or of a set of folders ("." is
 # that of the target). This spares most of the time that goes into reading headers and into what each source makes of the same
 # templates: two seconds a unit. So the names in unnamed namespaces are unique in a folder and in a set. Sources with options of
-# their own stay alone. A unit of 4,000 lines takes a dozen seconds; sets keep below 5,000.
+# their own stay alone. A unit of 4,000 lines takes a dozen seconds; sets keep below 6,000.
 function(compile_together target)
   cmake_parse_arguments(ARG "" "" "SETS" ${ARGN})
   foreach(file IN LISTS ARG_UNPARSED_ARGUMENTS)
@@ -52,10 +52,41 @@ function(compile_together target)
   endif()
 endfunction()
 
-# ligne_library(NAME SOURCES file... TOGETHER "folder folder ..."... LINKS target... PRIVATE_LINKS target...): TOGETHER names the sets
-# of folders that are compiled together.
+# optimize_less(TARGET file... FOLDERS folder...): compiles the sources of these folders, and the units that are made of them, with -O1
+# in a release, which takes two thirds of the time of -O3. A unit has the option itself: its sources would leave it with one of their
+# own.
+function(optimize_less target)
+  cmake_parse_arguments(ARG "" "" "FOLDERS" ${ARGN})
+  set(cold "")
+  set(hot "")
+  foreach(file IN LISTS ARG_UNPARSED_ARGUMENTS)
+    get_filename_component(folder ${file} DIRECTORY)
+    if(folder STREQUAL "")
+      set(folder .)
+    endif()
+    if(LIGNE_UNITY)
+      get_source_file_property(unit ${file} UNITY_GROUP)
+      set(file ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/Unity/unity_${unit}_cxx.cxx)
+    endif()
+    if(folder IN_LIST ARG_FOLDERS)
+      list(APPEND cold ${file})
+    else()
+      list(APPEND hot ${file})
+    endif()
+  endforeach()
+  foreach(file IN LISTS cold)
+    if(file IN_LIST hot)
+      message(FATAL_ERROR "${file} has sources of cold folders and of others")
+    endif()
+    set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O1>")
+  endforeach()
+endfunction()
+
+# ligne_library(NAME SOURCES file... TOGETHER "folder folder ..."... COLD folder... LINKS target... PRIVATE_LINKS target...): TOGETHER
+# names the sets of folders that are compiled together. COLD names the folders in which a drawing spends a few hundredths of its
+# instructions at most: they are compiled with -O1. A set is cold as a whole or not at all.
 function(ligne_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;TOGETHER;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;TOGETHER;COLD;LINKS;PRIVATE_LINKS" ${ARGN})
   set(gate ${PROJECT_BINARY_DIR}/include/${name})
   file(MAKE_DIRECTORY ${gate})
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${gate}/${name} SYMBOLIC)
@@ -66,6 +97,7 @@ function(ligne_library name)
   if(LIGNE_UNITY)
     compile_together(ligne_${name} ${ARG_SOURCES} SETS ${ARG_TOGETHER})
   endif()
+  optimize_less(ligne_${name} ${ARG_SOURCES} FOLDERS ${ARG_COLD})
   # Two threads that count at once may lose a count, but never make it none.
   if(LIGNE_COVERAGE)
     target_compile_options(ligne_${name} PRIVATE --coverage)

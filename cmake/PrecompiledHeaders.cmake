@@ -1,6 +1,6 @@
 # The headers of others that most sources read, compiled once for all folders, which spares a quarter of the time to build. A
 # source still includes all that it uses: -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON compiles it with that alone.
-# GCC 13 and later take it only for sources of its own level of optimization, and the few of another one read the headers themselves.
+# GCC 13 and later take it only for sources of its own level of optimization, and those of cold folders read the headers themselves.
 set(CMAKE_PCH_WARN_INVALID OFF)
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/headers.cpp CONTENT "")
 add_library(ligne_headers STATIC ${PROJECT_BINARY_DIR}/headers.cpp)

@@ -11,15 +11,15 @@ namespace {
 constexpr int kParts = 100;      ///< of a range
 constexpr int kFineInParts = 8;  ///< samples in the part next to the last one with heights
 
-struct Place {
+struct GroundPlace {
   std::array<double, 2> at{};  ///< in parts of the two ranges
 };
 
 /// For each position, whether it has a height.
 std::vector<char> heights_at(std::span<const std::shared_ptr<const HeightFunction>> functions, const Ground& ground,
-                             const std::vector<Place>& places) {
+                             const std::vector<GroundPlace>& places) {
   std::vector<char> found(places.size(), 0);
-  const auto coordinate = [&](const Place& place, std::size_t axis) {
+  const auto coordinate = [&](const GroundPlace& place, std::size_t axis) {
     const auto [from, to] = ground[axis];
     return place.at[axis] == kParts ? to : from + place.at[axis] * (to - from) / kParts;
   };
@@ -37,7 +37,7 @@ std::vector<char> heights_at(std::span<const std::shared_ptr<const HeightFunctio
 
 Ground defined_ground(std::span<const std::shared_ptr<const HeightFunction>> functions, const Ground& ground,
                       const std::array<bool, 2>& open) {
-  std::vector<Place> places;
+  std::vector<GroundPlace> places;
   for (int x = 0; x <= kParts; ++x) {
     for (int y = 0; y <= kParts; ++y) places.push_back({{double(x), double(y)}});
   }
@@ -59,7 +59,7 @@ Ground defined_ground(std::span<const std::shared_ptr<const HeightFunction>> fun
       places.clear();
       for (int fine = 1; fine < kFineInParts; ++fine) {
         for (int across = 0; across <= kParts; ++across) {
-          Place place;
+          GroundPlace place;
           place.at[axis] = last + outwards * double(fine) / kFineInParts;
           place.at[1 - axis] = across;
           places.push_back(place);
