@@ -14,6 +14,7 @@
 #include "picture/parse/parse_options.hpp"
 #include "picture/parse/parse_plot.hpp"
 #include "plotting/writers/output_file.hpp"
+#include "report/run_json.hpp"
 
 #include <pybind11/stl.h>
 
