@@ -11,6 +11,7 @@ using Json = nlohmann::ordered_json;
 
 Json healed_json(const HealReport& healed) {
   Json json{{"vertices_collapsed", healed.vertices_collapsed},
+            {"vertices_at_steps", healed.vertices_at_steps},
             {"objects_twice", healed.objects_twice},
             {"faces_twice", healed.faces_twice},
             {"border_edges", healed.border_edges},

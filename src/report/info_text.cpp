@@ -41,6 +41,8 @@ std::string healed_text(const ModelFile& file) {
   const auto add = [&](const std::string& what) { text += line("healed", what); };
   if (healed.vertices_collapsed > 0)
     add(std::to_string(healed.vertices_collapsed) + " vertices merged with others within rounding");
+  if (healed.vertices_at_steps > 0)
+    add(std::to_string(healed.vertices_at_steps) + " vertices merged with others at steps too low to be seen");
   if (healed.objects_twice > 0) add(std::to_string(healed.objects_twice) + " objects coincide with another one: omitted");
   if (healed.faces_twice > 0)
     add(std::to_string(healed.faces_twice) + " faces have the vertices of another face: drawn once, from both sides");

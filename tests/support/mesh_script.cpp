@@ -269,8 +269,8 @@ class MeshScript {
     for (const Edge& edge : topology.edges)
       if (edge.face1 == kNone) sets_["borders"].push_back(edge_item(scene, edge));
     // clang-format off
-    numbers_ = {{"faces", scene.faces.size()}, {"vertices", scene.vertices.size()}, {"faces-twice", report.faces_twice},
-                {"objects-twice", report.objects_twice}, {"collapsed", report.vertices_collapsed}, {"changed", !report.nothing()},
+    numbers_ = {{"faces", scene.faces.size()}, {"vertices", scene.vertices.size()}, {"faces-twice", report.faces_twice}, {"changed", !report.nothing()},
+                {"objects-twice", report.objects_twice}, {"collapsed", report.vertices_collapsed}, {"at-steps", report.vertices_at_steps},
                 {"flagged-edges", std::ranges::count_if(topology.edge_flags, [](std::uint16_t flags) { return flags != 0; })}};
     // clang-format on
   }

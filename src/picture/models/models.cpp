@@ -238,10 +238,11 @@ void require_no_parameters(const LoadedModels& models, const std::vector<std::st
 }
 
 void report_healing(const LoadedModels& models, const ModelRequest& request, RunReport& run) {
-  std::size_t collapsed = 0, faces = 0, objects = 0, moved = 0, split = 0, sewn = 0, turned = 0;
+  std::size_t collapsed = 0, steps = 0, faces = 0, objects = 0, moved = 0, split = 0, sewn = 0, turned = 0;
   for (const ModelFile& file : models.files) {
     const HealReport& healed = file.healed;
     collapsed += healed.vertices_collapsed;
+    steps += healed.vertices_at_steps;
     faces += healed.faces_twice;
     objects += healed.objects_twice;
     moved += healed.vertices_moved;
@@ -261,6 +262,7 @@ void report_healing(const LoadedModels& models, const ModelRequest& request, Run
     if (!text.empty()) run.warnings.push_back({file.name, text + " (--quality exact draws the file as it is)"});
   }
   run.count_clear("vertices collapsed", collapsed);
+  run.count_clear("vertices merged at steps", steps);
   run.count_clear("objects stored twice", objects);
   run.count_clear("faces stored twice", faces);
   run.count_clear("border edges sewn", sewn);

@@ -12,7 +12,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "base/prefetch.hpp"
@@ -20,8 +19,10 @@
 #include "scene/clean/cut_nonplanar.hpp"
 #include "scene/heal/border_edges.hpp"
 #include "scene/heal/border_gaps.hpp"
+#include "scene/heal/close_steps.hpp"
 #include "scene/heal/duplicate_faces.hpp"
 #include "scene/heal/face_writer.hpp"
+#include "scene/heal/merge_ends.hpp"
 #include "scene/heal/merge_fine_vertices.hpp"
 #include "scene/heal/sew_borders.hpp"
 #include "scene/model/bounds.hpp"
@@ -42,13 +43,6 @@ constexpr double kLeastRoundings = 1.9;
 constexpr double kChainRoundings = 8;
 
 using VertexPair = std::array<std::uint32_t, 2>;
-
-bool are_within(double distance, const Point3& p, const Point3& q) {
-  // Nearly all edges are long in each direction.
-  if (!(std::abs(p.x - q.x) < distance)) return false;
-  const Point3 way = p - q;
-  return glm::dot(way, way) < distance * distance;
-}
 
 /// The least length of the edges of a face that stay.
 double least_length(const Scene& scene, std::size_t face, double precision) {
@@ -101,21 +95,9 @@ void append_short_edges(const Scene& scene, const Object& object, std::vector<Ve
 std::size_t collapse_short_edges(Scene& scene) {
   std::vector<VertexPair> edges;
   for (const Object& object : scene.objects) append_short_edges(scene, object, edges);
-  if (edges.empty()) return 0;
-  DisjointSets chains(scene.vertices.size());
-  for (const auto& [first, second] : edges) chains.join(first, second);
-  std::size_t merged = 0;
-  for (const Object& object : scene.objects) {
-    for (std::uint32_t v = object.vertex_begin; v < object.vertex_end; ++v) {
-      const std::uint32_t to = chains.find(v);
-      if (to == v || !are_within(kChainRoundings * object.precision, scene.vertices[to], scene.vertices[v])) continue;
-      scene.vertices[v] = scene.vertices[to];
-      ++merged;
-    }
-  }
-  Warnings vanished;  // faces without thickness are no loss
-  finish_scene(scene, vanished);
-  return merged;
+  std::vector<double> distances;
+  for (const Object& object : scene.objects) distances.push_back(kChainRoundings * object.precision);
+  return merge_ends(scene, edges, distances);
 }
 
 /// Makes windings agree: decides which side of a sheet is the front.
@@ -337,6 +319,7 @@ void count_edges_left(const Scene& scene, const Topology& topology, HealReport& 
 HealReport heal(Scene& scene, Topology& topology, const HealOptions& options) {
   HealReport report;
   report.vertices_collapsed = collapse_short_edges(scene) + merge_fine_vertices(scene);
+  report.vertices_at_steps = close_steps(scene);
   const bool sews = options.sew_distance != 0.0;
   // Whether `topology` is that of the scene, which has no repeated face.
   const bool stated = scene.stated.has(StatedFact::adjacency);

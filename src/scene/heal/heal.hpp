@@ -30,6 +30,7 @@ struct SewnBorders {
 
 struct HealReport {
   std::size_t vertices_collapsed = 0;  ///< vertices that were merged because edges between them are rounding errors
+  std::size_t vertices_at_steps = 0;   ///< vertices that were merged to close steps of curved surfaces
   std::size_t objects_twice = 0;       ///< objects that coincide with another one; their faces are removed
   std::size_t faces_twice = 0;         ///< removed faces with the same vertices as another one, objects_twice included
   std::size_t vertices_moved = 0;      ///< border vertices that were merged with another one
@@ -45,13 +46,15 @@ struct HealReport {
   }
 
   /// Whether nothing was changed.
-  bool nothing() const { return vertices_collapsed + objects_twice + faces_twice + faces_turned + sewn.size() == 0; }
+  bool nothing() const {
+    return vertices_collapsed + vertices_at_steps + objects_twice + faces_twice + faces_turned + sewn.size() == 0;
+  }
 };
 
 /// Heals a scene after finish_scene() (scene/clean/clean.hpp):
 ///
 /// 1. It collapses edges that are shorter than a step of the coordinates (heal.cpp), and merges vertices of
-///    triangles that are as fine as these (merge_fine_vertices.hpp).
+///    triangles that are as fine as these (merge_fine_vertices.hpp). It closes invisible steps (close_steps.hpp).
 /// 2. It removes the faces of objects that coincide exactly with an earlier object. If faces of one object have the
 ///    same vertices, in any winding, only the first stays; its edges keep the flags that all of them have, and details
 ///    move to it (duplicate_faces.hpp).
