@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "plotting/writers/number_text.hpp"
-#include "plotting/writers/plot_writers.hpp"
+#include "plotting/plot.hpp"
+#include "plotting/writers/writers.hpp"
 
 namespace ligne {
 namespace {

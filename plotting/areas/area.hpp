@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "areas/edge_tree.hpp"
 #include "areas/steps.hpp"
 #include "areas/winding_rows.hpp"
 #include "drawing/drawing.hpp"
@@ -51,7 +50,6 @@ class Area {
   Polylines contours_near(const Rect& box) const;
 
   const Rect& box() const { return box_; }  ///< page mm
-  const StepBox& step_box() const { return tree_.box(); }
   bool empty() const { return steps_.empty(); }
   /// Whether the lattice edges, their windings and the rule are the same.
   bool is_same(const Area& other) const;

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "areas/coverage.hpp"
-#include "areas/edge_tree.hpp"
 #include "areas/seen_parts.hpp"
 #include "areas/side_counts.hpp"
+#include "areas/steps.hpp"
 
 namespace ligne::svg {
 namespace {

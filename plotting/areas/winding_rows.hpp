@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "areas/edge_tree.hpp"
 #include "areas/steps.hpp"
 
 namespace ligne::svg {

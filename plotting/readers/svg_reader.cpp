@@ -10,9 +10,8 @@
 #include "areas/work_limit_error.hpp"
 #include "files/input_error.hpp"
 #include "plotting/devices/pens.hpp"
-#include "plotting/svg/entities.hpp"
-#include "plotting/svg/namespaces.hpp"
 #include "plotting/svg/reader.hpp"
+#include "plotting/svg/xml.hpp"
 
 namespace ligne {
 namespace svg {

@@ -1,7 +1,6 @@
 #include "plotting/svg/shapes.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>

@@ -10,7 +10,7 @@
 
 #include "plotting/stroke_text.hpp"
 #include "plotting/svg/reader.hpp"
-#include "plotting/writers/cairo_text.hpp"
+#include "plotting/writers/cairo_path.hpp"
 
 namespace ligne::svg {
 namespace {

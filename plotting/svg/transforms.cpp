@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "files/message_text.hpp"
 #include "plotting/svg/values.hpp"
 
 namespace ligne::svg {

@@ -1,7 +1,6 @@
 #include "plotting/svg/values.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 

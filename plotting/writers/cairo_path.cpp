@@ -1,17 +1,36 @@
 #include "plotting/writers/cairo_path.hpp"
-#include "plotting/hatching/fill_rim.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <memory>
 #include <new>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "plotting/readers/utf8.hpp"
 
 namespace ligne {
 namespace {
+
+/// Paints the halo of a text that begins at the current point, and keeps that point.
+void stroke_halo(cairo_t* cairo, const std::string& text, double halo_mm) {
+  double x = 0, y = 0;
+  cairo_get_current_point(cairo, &x, &y);
+  cairo_save(cairo);
+  cairo_set_source_rgb(cairo, 1, 1, 1);
+  cairo_set_line_width(cairo, 2 * halo_mm);
+  cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+  cairo_text_path(cairo, text.c_str());
+  cairo_stroke(cairo);
+  cairo_restore(cairo);
+  cairo_move_to(cairo, x, y);
+}
 
 /// Largest distance of Cairo's Bezier curves from the arcs they replace, as a fraction of the tolerance that found the
 /// arcs.
@@ -146,6 +165,98 @@ cairo_status_t append_to_string(void* string, const unsigned char* bytes, unsign
   return CAIRO_STATUS_SUCCESS;
 } catch (const std::bad_alloc&) {
   return CAIRO_STATUS_NO_MEMORY;
+}
+
+/// A pixel as Cairo stores it: blue in the lowest byte.
+static std::uint32_t pixel_at(const FacePicture& picture, std::size_t i) {
+  if (picture.rgb.empty()) return picture.gray[i] * 0x010101u;
+  constexpr unsigned kRed = 16, kGreen = 8;
+  const std::uint8_t* const rgb = picture.rgb.data() + 3 * i;
+  return std::uint32_t{rgb[0]} << kRed | std::uint32_t{rgb[1]} << kGreen | rgb[2];
+}
+
+void put_pixels(cairo_surface_t* surface, const FacePicture& picture) {
+  cairo_surface_flush(surface);
+  unsigned char* const data = cairo_image_surface_get_data(surface);
+  if (!data) return;  // the surface has an error, which check_cairo() reports later
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface));
+  for (std::uint32_t y = 0; y < picture.height; ++y) {
+    for (std::uint32_t x = 0; x < picture.width; ++x) {
+      const std::uint32_t pixel = pixel_at(picture, std::size_t{y} * picture.width + x);
+      std::memcpy(data + y * stride + 4 * std::size_t{x}, &pixel, sizeof pixel);
+    }
+  }
+  cairo_surface_mark_dirty(surface);
+}
+
+/// Attaches to a surface the PNG of a gray picture that an SVG will contain: Cairo itself would write gray as three
+/// colours.
+static void attach_png(cairo_surface_t* surface, const FacePicture& picture) {
+  const auto width = static_cast<int>(picture.width), height = static_cast<int>(picture.height);
+  const CairoSurface gray(cairo_image_surface_create(CAIRO_FORMAT_A8, width, height));  // which Cairo writes as gray
+  check_cairo(cairo_surface_status(gray.get()));
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(gray.get()));
+  for (std::size_t y = 0; y < picture.height; ++y) {
+    std::memcpy(cairo_image_surface_get_data(gray.get()) + y * stride, picture.gray.data() + y * picture.width,
+                picture.width);
+  }
+  cairo_surface_mark_dirty(gray.get());
+  auto png = std::make_unique<std::string>();
+  check_cairo(cairo_surface_write_to_png_stream(gray.get(), append_to_string, png.get()));
+  const auto* const bytes = reinterpret_cast<const unsigned char*>(png->data());
+  const auto free_png = [](void* string) { delete static_cast<std::string*>(string); };
+  check_cairo(cairo_surface_set_mime_data(surface, CAIRO_MIME_TYPE_PNG, bytes, png->size(), free_png, png.get()));
+  static_cast<void>(png.release());
+}
+
+void paint_faces(cairo_t* cairo, const FacePicture& picture, double units_per_mm) {
+  if (picture.empty()) return;
+  const CairoSurface surface(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(picture.width), static_cast<int>(picture.height)));
+  check_cairo(cairo_surface_status(surface.get()));
+  put_pixels(surface.get(), picture);
+  const bool in_svg = cairo_surface_get_type(cairo_get_target(cairo)) == CAIRO_SURFACE_TYPE_SVG;
+  if (in_svg && picture.rgb.empty()) attach_png(surface.get(), picture);
+  cairo_save(cairo);
+  cairo_translate(cairo, picture.corner_mm.x * units_per_mm, picture.corner_mm.y * units_per_mm);
+  cairo_scale(cairo, picture.pixel_mm * units_per_mm, picture.pixel_mm * units_per_mm);
+  cairo_set_source_surface(cairo, surface.get(), 0, 0);
+  cairo_pattern_set_filter(cairo_get_source(cairo), CAIRO_FILTER_NEAREST);
+  cairo_paint(cairo);
+  cairo_restore(cairo);
+  check_cairo(cairo_status(cairo));
+}
+
+void write_texts(cairo_t* cairo, std::span<const TextItem> texts) {
+  if (texts.empty()) return;
+  // Without hints letters stand exactly in their places, not on whole pixels.
+  const std::unique_ptr<cairo_font_options_t, void (*)(cairo_font_options_t*)> exact(cairo_font_options_create(),
+                                                                                     cairo_font_options_destroy);
+  cairo_font_options_set_hint_style(exact.get(), CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(exact.get(), CAIRO_HINT_METRICS_OFF);
+  cairo_font_options_set_antialias(exact.get(), CAIRO_ANTIALIAS_GRAY);
+  cairo_save(cairo);
+  cairo_set_font_options(cairo, exact.get());
+  cairo_select_font_face(cairo, kTypeface, CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_source_rgb(cairo, 0, 0, 0);
+  for (const TextItem& item : texts) {
+    const std::string text = clean_utf8(item.text);
+    cairo_set_font_size(cairo, item.height_mm / kCapitalsOfSize);
+    cairo_text_extents_t extents;
+    cairo_text_extents(cairo, text.c_str(), &extents);
+    const double before = item.across == TextAcross::left ? 0 : item.across == TextAcross::center ? 0.5 : 1;
+    const Point2 base = base_point(item);
+    cairo_save(cairo);
+    cairo_translate(cairo, base.x, base.y);
+    cairo_rotate(cairo, -item.rotation_degrees * std::numbers::pi / 180);
+    cairo_move_to(cairo, -before * extents.x_advance, 0);
+    if (item.halo_mm > 0) stroke_halo(cairo, text, item.halo_mm);
+    cairo_show_text(cairo, text.c_str());
+    cairo_restore(cairo);
+    cairo_new_path(cairo);
+  }
+  cairo_restore(cairo);
+  check_cairo(cairo_status(cairo));
 }
 
 }  // namespace ligne

@@ -9,6 +9,7 @@
 #include <cairo.h>
 
 #include "drawing/drawing.hpp"
+#include "drawing/text_item.hpp"
 #include "plotting/curves/fit_curves.hpp"
 #include "plotting/page.hpp"
 
@@ -47,10 +48,24 @@ void stroke_polylines(cairo_t* cairo, const Polylines& lines, const LineStyle& s
 std::size_t end_of_area(const std::vector<Fill>& fills, std::size_t first);
 
 /// Fills the areas in their order. Consecutive areas of one colour become one path, since Cairo's vector surfaces take
-/// time with the square of the number of calls. Opaque areas get a rim (fill_rim.hpp).
+/// time with the square of the number of calls. Opaque areas get a rim (kFillRimMm).
 void paint_fills(cairo_t* cairo, const std::vector<Fill>& fills, double units_per_mm);
 
 /// Appends the bytes that Cairo writes to a std::string.
 cairo_status_t append_to_string(void* string, const unsigned char* bytes, unsigned int count);
+
+/// Copies the pixels of the picture to an image surface of four bytes a pixel, which must be at least as large.
+void put_pixels(cairo_surface_t* surface, const FacePicture& picture);
+
+/// Paints the picture where it lies on the page. Its pixels stay sharp.
+void paint_faces(cairo_t* cairo, const FacePicture& picture, double units_per_mm);
+
+/// The typeface of texts, and the first of the list that an SVG names. Cairo takes the nearest that the machine has.
+inline constexpr const char* kTypeface = "DejaVu Sans";
+/// Height of its capitals, as a fraction of the font size.
+inline constexpr double kCapitalsOfSize = 1493.0 / 2048;
+
+/// Writes the texts; the context's user space is page mm.
+void write_texts(cairo_t* cairo, std::span<const TextItem> texts);
 
 }  // namespace ligne

@@ -1,7 +1,6 @@
 #include "plotting/writers/output_file.hpp"
 
 #include <cerrno>
-#include <string>
 #include <system_error>
 #include <utility>
 

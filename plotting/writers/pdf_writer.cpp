@@ -12,8 +12,6 @@
 #include <cairo-pdf.h>
 
 #include "plotting/writers/cairo_path.hpp"
-#include "plotting/writers/cairo_text.hpp"
-#include "plotting/writers/face_image.hpp"
 #include "plotting/writers/writers.hpp"
 
 namespace ligne {

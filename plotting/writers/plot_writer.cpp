@@ -8,8 +8,9 @@
 #include <utility>
 
 #include "files/message_text.hpp"
+#include "plotting/plot.hpp"
 #include "plotting/writers/number_text.hpp"
-#include "plotting/writers/plot_writers.hpp"
+#include "plotting/writers/writers.hpp"
 
 namespace ligne {
 namespace {

@@ -1,13 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <numbers>
 #include <stdexcept>
 
 #include "files/message_text.hpp"
 #include "plotting/writers/cairo_path.hpp"
-#include "plotting/writers/cairo_text.hpp"
-#include "plotting/writers/face_image.hpp"
 #include "plotting/writers/writers.hpp"
 
 namespace ligne {

@@ -12,7 +12,6 @@
 
 #include "plotting/writers/cairo_path.hpp"
 #include "plotting/writers/cairo_svg_parts.hpp"
-#include "plotting/writers/face_image.hpp"
 #include "plotting/writers/number_text.hpp"
 
 namespace ligne {

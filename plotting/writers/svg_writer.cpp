@@ -12,10 +12,9 @@
 
 #include "base/parallel.hpp"
 #include "plotting/devices/pens.hpp"
-#include "plotting/hatching/fill_rim.hpp"
+#include "plotting/page.hpp"
 #include "plotting/readers/utf8.hpp"
 #include "plotting/writers/cairo_path.hpp"
-#include "plotting/writers/cairo_text.hpp"
 #include "plotting/writers/svg_canvas.hpp"
 #include "plotting/writers/writers.hpp"
 

@@ -24,14 +24,14 @@ namespace ligne {
 struct PlotOptions {
   Page page;
   double pen_width_mm = 0.35;
-  LineWidths widths_mm{};                        ///< line widths by layer name; they override all other widths
-  bool hidden_solid = false;                     ///< hidden lines are not dashed
-  std::string title;                             ///< document title, may be empty
-  double dpi = 150;                              ///< resolution of a PNG
-  bool curves = false;                           ///< fit arcs to polylines that approximate them (paths/fit_curves.hpp)
-  std::optional<double> curve_rise_mm{};         ///< CurveLimits::most_rise_mm; nothing: the pen width
-  bool starts_stay = false;                      ///< with `curves`: closed strokes keep their starting points
-  std::shared_ptr<const KnownEllipses> known{};  ///< with `curves`: CurveLimits::known
+  LineWidths widths_mm{};                                ///< line widths by layer name; they override all other widths
+  bool hidden_solid = false;                             ///< hidden lines are not dashed
+  std::string title;                                     ///< document title, may be empty
+  double dpi = 150;                                      ///< resolution of a PNG
+  bool curves = false;                                   ///< fit arcs to polylines that approximate them
+  std::optional<double> curve_rise_mm{};                 ///< CurveLimits::most_rise_mm; nothing: the pen width
+  bool starts_stay = false;                              ///< with `curves`: closed strokes keep their starting points
+  std::shared_ptr<const KnownEllipses> known{};          ///< with `curves`: CurveLimits::known
   std::function<LineStyle(const std::string&)> style{};  ///< style of a layer by its name; empty: layer_style()
 
   /// Style of the layers of that name.

@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 
 #include "base/indices_where.hpp"
-#include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "contours/surfaces/known_surfaces.hpp"
 #include "contours/surfaces/rulings.hpp"

@@ -1,10 +1,8 @@
 #include "contours/contour_junctions.hpp"
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include <glm/geometric.hpp>
 

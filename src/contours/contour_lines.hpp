@@ -70,4 +70,9 @@ SmoothContours replace_outlines(ProjectedScene& projected, OutlineReplacement re
 SmoothContours replace_outlines(const Scene& scene, const Topology& topology, ProjectedScene& projected,
                                 const ContourOptions& options);
 
+/// On scans, flips the sign of g on islands of the opposite sign if the surface there is nowhere inclined to the line
+/// of sight by 4 degrees. These islands are noise of the scan; their contours would be many small rings where the body
+/// is seen edge on. O(corners of the patch).
+void level_shallow_islands(SmoothPatch& patch, const Scene& scene, const Camera& camera, std::span<const ScanObject> scans);
+
 }  // namespace ligne

@@ -213,24 +213,16 @@ class Sights {
 
 OutlineGraph::OutlineGraph(const Scene& scene, const View& view, const SmoothPatch& patch,
                            const std::vector<OutlineSide>& sides)
-    : begin_(patch.normals.size() + 1, 0), ends_(2 * sides.size()) {
-  const auto ends_of = [&](const OutlineSide& s) {
-    return std::array<std::uint32_t, 2>{patch.sector[s.side], patch.sector[next_corner(s.side)]};
-  };
-  for (const OutlineSide& s : sides) {
-    for (const std::uint32_t sector : ends_of(s)) ++begin_[sector + 1];
-  }
-  for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-  std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-  for (const OutlineSide& s : sides) {
-    const auto [a, b] = ends_of(s);
-    const auto& v = patch.triangles[s.side / 3].v;
-    const Point2 p = page_point(view, scene.vertices[v[s.side % 3]]);
-    const Point2 q = page_point(view, scene.vertices[v[(s.side + 1) % 3]]);
-    ends_[next[a]++] = {a, b, p, q};
-    ends_[next[b]++] = {b, a, q, p};
-  }
-}
+    : ends_(patch.normals.size(), [&](const auto& put) {
+        for (const OutlineSide& s : sides) {
+          const std::uint32_t a = patch.sector[s.side], b = patch.sector[next_corner(s.side)];
+          const auto& v = patch.triangles[s.side / 3].v;
+          const Point2 p = page_point(view, scene.vertices[v[s.side % 3]]);
+          const Point2 q = page_point(view, scene.vertices[v[(s.side + 1) % 3]]);
+          put(a, {a, b, p, q});
+          put(b, {b, a, q, p});
+        }
+      }) {}
 
 std::vector<ContourSight> contour_sights(const SightScene& in, const ContourChain& chain,
                                          std::vector<ReachedSectors>& reached) {

@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "base/keyed_lists.hpp"
 #include "contours/contour_choice.hpp"
 
 namespace ligne {
@@ -26,13 +27,10 @@ class OutlineGraph {
     std::uint32_t sector, other;  ///< the sectors at this end of the edge and at the other end
     Point2 p, q;                  ///< these two ends on the page
   };
-  std::span<const End> at(std::uint32_t sector) const {
-    return {ends_.data() + begin_[sector], ends_.data() + begin_[sector + 1]};
-  }
+  std::span<const End> at(std::uint32_t sector) const { return ends_[sector]; }
 
  private:
-  std::vector<std::uint32_t> begin_;
-  std::vector<End> ends_;
+  KeyedLists<End> ends_;
 };
 
 /// A list of sectors without duplicates, in the order in which a search reached them. clear() takes constant time.

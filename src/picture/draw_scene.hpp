@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "picture/check_request.hpp"
 #include "picture/drawn_scene.hpp"
 #include "picture/marks/axes.hpp"
 #include "picture/requests.hpp"

@@ -1,12 +1,11 @@
 #include "picture/fills.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 
 #include "base/hash.hpp"
-#include "plotting/hatching/fill_rim.hpp"
+#include "plotting/page.hpp"
 
 namespace ligne {
 namespace {
@@ -145,10 +144,10 @@ std::vector<double> lights_of_pieces(const Scene& scene, const View& view, const
   return found;
 }
 
-std::vector<Fill> fill_areas(const Scene& scene, const View& view, const std::vector<Region>& areas,
-                             const TransparentLayers& layers, std::span<const Light> lights, FillKind kind) {
-  const FillColors colors(scene, view, lights, kind);
-  const auto color_of = [&](std::uint32_t face) { return colors.of(material_of(scene, face), face, kAllLights, {}); };
+/// Fills the areas of faces seen through transparent ones. color_of(face) is the colour of a face.
+template <class ColorOf>
+static std::vector<Fill> fills_seen(const Scene& scene, const std::vector<Region>& areas, const TransparentLayers& layers,
+                                    const ColorOf& color_of) {
   const auto opacity_of = [&](std::uint32_t face) { return material_of(scene, face).opacity; };
   std::vector<LeveledFill> found;
   found.reserve(areas.size());
@@ -159,20 +158,19 @@ std::vector<Fill> fill_areas(const Scene& scene, const View& view, const std::ve
   return in_painting_order(std::move(found));
 }
 
+std::vector<Fill> fill_areas(const Scene& scene, const View& view, const std::vector<Region>& areas,
+                             const TransparentLayers& layers, std::span<const Light> lights, FillKind kind) {
+  const FillColors colors(scene, view, lights, kind);
+  return fills_seen(scene, areas, layers,
+                    [&](std::uint32_t face) { return colors.of(material_of(scene, face), face, kAllLights, {}); });
+}
+
 std::vector<Fill> fill_gray(const Scene& scene, const std::vector<Region>& areas, const TransparentLayers& layers,
                             const std::vector<double>& brightness) {
-  const auto gray_of = [&](std::uint32_t face) {
+  return fills_seen(scene, areas, layers, [&](std::uint32_t face) {
     const double gray = face < brightness.size() ? brightness[face] : 1;
     return std::array{gray, gray, gray};
-  };
-  const auto opacity_of = [&](std::uint32_t face) { return material_of(scene, face).opacity; };
-  std::vector<LeveledFill> found;
-  found.reserve(areas.size());
-  for (const Region& area : areas) {
-    const auto gray = rounded(seen_color<3>(layers, {area.face, area.in_front}, gray_of, opacity_of));
-    found.push_back({0, is_narrow(area), {area.contours, gray, 1}});
-  }
-  return in_painting_order(std::move(found));
+  });
 }
 
 SmoothFillColors::SmoothFillColors(const Scene& scene, const Camera& camera, std::span<const Light> lights)

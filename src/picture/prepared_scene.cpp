@@ -9,7 +9,6 @@
 #include "picture/choice/method_choice.hpp"
 #include "picture/clear/clear_creases.hpp"
 #include "picture/clear/refined_picture.hpp"
-#include "picture/culling.hpp"
 #include "picture/errors.hpp"
 #include "picture/light/lighting.hpp"
 #include "picture/line_groups.hpp"
@@ -17,7 +16,6 @@
 #include "picture/marks/scan_plane_inset.hpp"
 #include "picture/products.hpp"
 #include "scene/clean/check_facts.hpp"
-#include "view/tolerances.hpp"
 #include "visibility/edges/edge_visibility.hpp"
 #include "visibility/registry.hpp"
 
@@ -291,6 +289,18 @@ PreparedScene with_scene(PreparedScene prepared, const Scene& scene) {
           prepared.first_detail,
           std::move(prepared.tones),
           std::move(prepared.given)};
+}
+
+BackFaces cull_back_faces(const Scene& scene, const Topology& topology, ProjectedScene& projected, RunReport& run) {
+  BackFaces back_faces = find_back_faces(scene, topology, projected.view);
+  cull(projected, back_faces);
+  if (back_faces.kept_objects > 0) {
+    run.warn(
+        std::to_string(back_faces.kept_objects) + " of " + std::to_string(back_faces.objects) +
+        " objects keep their back faces, or some of them: they are not closed and consistently wound, touch or penetrate "
+        "themselves, are transparent, or surround the eye");
+  }
+  return back_faces;
 }
 
 }  // namespace ligne

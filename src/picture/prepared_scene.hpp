@@ -66,4 +66,7 @@ PreparedScene with_scene(PreparedScene prepared, const Scene& scene);
 /// Options of the smooth contours: the pen width of the request, and the creases at which smooth regions end.
 ContourOptions contour_options(const PictureRequest& request, const Creases& creases);
 
+/// Removes the back faces from the projected scene. One warning counts the objects that keep theirs.
+BackFaces cull_back_faces(const Scene& scene, const Topology& topology, ProjectedScene& projected, RunReport& run);
+
 }  // namespace ligne

@@ -5,11 +5,11 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
-#include <glm/geometric.hpp>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
-#include <utility>
+
+#include <glm/geometric.hpp>
 
 #include "base/stop.hpp"
 #include "files/message_text.hpp"
@@ -20,9 +20,8 @@
 #include "picture/models/memory.hpp"
 #include "picture/parse/parse.hpp"
 #include "picture/parse/parse_options.hpp"
+#include "visibility/methods.hpp"
 #include "visibility/registry.hpp"
-#include "visibility/warnock/warnock.hpp"
-#include "visibility/zbuffer/zbuffer.hpp"
 
 namespace ligne {
 namespace {

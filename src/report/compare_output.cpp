@@ -1,13 +1,14 @@
 #include "report/compare_output.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <utility>
+
+#include <nlohmann/json.hpp>
 
 #include "files/message_text.hpp"
 #include "picture/models/memory.hpp"
 #include "plotting/writers/number_text.hpp"
-#include "report/traits_text.hpp"
+#include "report/scene_info.hpp"
 
 namespace ligne {
 namespace {

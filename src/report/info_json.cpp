@@ -1,7 +1,6 @@
 #include <nlohmann/json.hpp>
 
 #include "report/scene_info.hpp"
-#include "report/traits_text.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {

@@ -4,7 +4,6 @@
 
 #include "files/message_text.hpp"
 #include "report/scene_info.hpp"
-#include "report/traits_text.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
@@ -21,6 +20,11 @@ std::string point_text(const Point3& p) { return rounded(p.x) + ", " + rounded(p
 std::string line(const std::string& label, const std::string& value) {
   constexpr std::size_t width = 15;
   return "  " + label + std::string(label.size() < width ? width - label.size() : 1, ' ') + value + "\n";
+}
+
+/// The last line of a list of `size` items of which `most` are named.
+std::string rest_line(std::size_t size, std::size_t most, const char* noun = "more") {
+  return size > most ? line("", "and " + std::to_string(size - most) + " " + noun) : "";
 }
 
 std::string closedness(const ObjectFacts& object) {
@@ -56,10 +60,7 @@ std::string healed_text(const ModelFile& file) {
                          " vertices lie within " + rounded(sewn.distance, 3) + " of another border, the others " +
                          (sewn.next_gap > 0 ? "from " + rounded(sewn.next_gap, 3) + " on" : "much farther"));
   }
-  if (healed.sewn.size() > kMostSewnLines) {
-    text += line("", "and " + std::to_string(healed.sewn.size() - kMostSewnLines) + " more objects");
-  }
-  return text;
+  return text + rest_line(healed.sewn.size(), kMostSewnLines, "more objects");
 }
 
 /// Lists the groups of an OBJ. Options that select objects make them objects.
@@ -109,9 +110,7 @@ std::string materials_text(const SceneFacts& scene) {
     if (material.opacity < 1) value += ", opacity " + rounded(material.opacity, 3);
     text += line(i == 0 ? "materials" : "", value);
   }
-  if (scene.materials.size() > kMostObjectLines)
-    text += line("", "and " + std::to_string(scene.materials.size() - kMostObjectLines) + " more");
-  return text;
+  return text + rest_line(scene.materials.size(), kMostObjectLines);
 }
 
 /// Largest number of groups of surfaces in the text; the JSON has all.
@@ -123,10 +122,7 @@ std::string surfaces_text(const SurfaceFacts& surfaces) {
   for (std::size_t i = 0; i < std::min(surfaces.groups.size(), kMostSurfaceLines); ++i) {
     text += line("", group_text(surfaces.groups[i]));
   }
-  if (surfaces.groups.size() > kMostSurfaceLines) {
-    text += line("", "and " + std::to_string(surfaces.groups.size() - kMostSurfaceLines) + " more");
-  }
-  return text;
+  return text + rest_line(surfaces.groups.size(), kMostSurfaceLines);
 }
 
 std::string objects_text(const SceneFacts& scene) {
@@ -142,10 +138,7 @@ std::string objects_text(const SceneFacts& scene) {
     text += line("", (object.name.empty() ? "object " + std::to_string(i) : printable(object.name, kLongestName)) + ": " +
                          std::to_string(object.faces) + " faces, " + closedness(object) + colors_of(scene, object));
   }
-  if (scene.objects.size() > kMostObjectLines) {
-    text += line("", "and " + std::to_string(scene.objects.size() - kMostObjectLines) + " more");
-  }
-  return text;
+  return text + rest_line(scene.objects.size(), kMostObjectLines);
 }
 
 /// The up axis. Formats that do not tell it have a usual one, which many of their files do not keep to.

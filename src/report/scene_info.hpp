@@ -128,4 +128,10 @@ std::string meaning_for(const MethodTraits& traits);
 /// Colour code such as "#c0c0c0" of red, green and blue from 0 to 1.
 std::string color_code_of(const Point3& color);
 
+/// Returns names and values, in order.
+std::vector<std::pair<std::string, std::string>> lines_of(const SceneTraits& traits);
+
+/// Formats the traits as JSON. A count that was stopped is {"at_least": N}.
+nlohmann::ordered_json json_of(const SceneTraits& traits);
+
 }  // namespace ligne

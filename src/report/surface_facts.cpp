@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <tuple>
+
+#include <nlohmann/json.hpp>
 
 #include "files/message_text.hpp"
 #include "plotting/writers/number_text.hpp"
@@ -62,53 +63,37 @@ void add_group(std::vector<SurfaceGroup>& groups, const SurfaceGroup& group) {
 }
 
 void count(SurfaceFacts& facts, const Sized& surface) {
-  switch (surface.kind) {
-    case SurfaceKind::cylinder:
-      ++facts.cylinders;
-      ++(surface.is_arc ? facts.arcs : surface.outward ? facts.bosses : facts.bores);
-      break;
-    case SurfaceKind::cone:
-      ++facts.cones;
-      break;
-    case SurfaceKind::sphere:
-      ++facts.spheres;
-      break;
-    case SurfaceKind::torus:
-      ++facts.tori;
-      break;
-    case SurfaceKind::extruded:
-      ++facts.extruded;
-      break;
-    case SurfaceKind::revolved:
-      ++facts.revolved;
-      break;
-  }
+  // In the order of SurfaceKind.
+  static constexpr std::size_t SurfaceFacts::*kOfKind[] = {&SurfaceFacts::cylinders, &SurfaceFacts::cones,
+                                                           &SurfaceFacts::spheres,   &SurfaceFacts::tori,
+                                                           &SurfaceFacts::extruded,  &SurfaceFacts::revolved};
+  ++(facts.*kOfKind[static_cast<std::size_t>(surface.kind)]);
+  if (surface.kind == SurfaceKind::cylinder) ++(surface.is_arc ? facts.arcs : surface.outward ? facts.bosses : facts.bores);
 }
 
 std::string counted(std::size_t n, const char* one, const char* more) {
   return std::to_string(n) + " " + (n == 1 ? one : more);
 }
 
+/// The words for one and for several surfaces of a kind: hollow ones, convex ones.
+struct Nouns {
+  SurfaceKind kind;
+  bool is_arc;
+  std::pair<const char*, const char*> hollow, convex;
+};
+constexpr Nouns kNouns[] = {
+    {SurfaceKind::cylinder, false, {"bore", "bores"}, {"boss", "bosses"}},
+    {SurfaceKind::cylinder, true, {"hollow arc", "hollow arcs"}, {"convex arc", "convex arcs"}},
+    {SurfaceKind::cone, false, {"hollow cone", "hollow cones"}, {"convex cone", "convex cones"}},
+    {SurfaceKind::sphere, false, {"hollow sphere", "hollow spheres"}, {"convex sphere", "convex spheres"}},
+    {SurfaceKind::torus, false, {"hollow torus", "hollow tori"}, {"convex torus", "convex tori"}},
+};
+
 std::string noun_of(const SurfaceGroup& group) {
-  switch (group.kind) {
-    case SurfaceKind::cylinder:
-      if (!group.is_arc) {
-        return group.outward ? counted(group.count, "boss", "bosses") : counted(group.count, "bore", "bores");
-      }
-      return group.outward ? counted(group.count, "convex arc", "convex arcs")
-                           : counted(group.count, "hollow arc", "hollow arcs");
-    case SurfaceKind::cone:
-      return group.outward ? counted(group.count, "convex cone", "convex cones")
-                           : counted(group.count, "hollow cone", "hollow cones");
-    case SurfaceKind::sphere:
-      return group.outward ? counted(group.count, "convex sphere", "convex spheres")
-                           : counted(group.count, "hollow sphere", "hollow spheres");
-    case SurfaceKind::torus:
-      return group.outward ? counted(group.count, "convex torus", "convex tori")
-                           : counted(group.count, "hollow torus", "hollow tori");
-    case SurfaceKind::extruded:
-    case SurfaceKind::revolved:
-      break;
+  for (const Nouns& nouns : kNouns) {
+    if (nouns.kind != group.kind || nouns.is_arc != group.is_arc) continue;
+    const auto& [one, more] = group.outward ? nouns.convex : nouns.hollow;
+    return counted(group.count, one, more);
   }
   return "";
 }

@@ -14,10 +14,22 @@
 #include "drawing/statistics.hpp"
 #include "linework/stroke.hpp"
 #include "view/projected_scene.hpp"
-#include "visibility/kept_visibility.hpp"
 #include "visibility/method_parameters.hpp"
 
 namespace ligne {
+
+/// Base class of such results. A method recognizes its own ones, and ignores others.
+class KeptVisibility {
+ public:
+  virtual ~KeptVisibility() = default;
+};
+
+/// The kind of later run for which results are kept.
+enum class Keep : std::uint8_t {
+  nothing,
+  for_next_view,     ///< the same model from another viewpoint
+  for_more_objects,  ///< the same view, with further objects appended to the same ones
+};
 
 struct OccludedCells;
 class ByteReader;

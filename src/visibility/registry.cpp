@@ -2,34 +2,18 @@
 
 #include <array>
 
-#include "visibility/atherton_weiler/atherton_weiler.hpp"
 #include "visibility/bsp/bsp.hpp"
 #include "visibility/convex_tree/convex_tree.hpp"
-#include "visibility/culling/culling.hpp"
-#include "visibility/edges/appel.hpp"
-#include "visibility/newell/newell.hpp"
-#include "visibility/painter/painter.hpp"
-#include "visibility/roberts/roberts.hpp"
-#include "visibility/warnock/warnock.hpp"
-#include "visibility/watkins/watkins.hpp"
-#include "visibility/zbuffer/zbuffer.hpp"
+#include "visibility/methods.hpp"
 
 namespace ligne {
 
 std::span<const Method* const> all_methods() {
-  static const AppelMethod appel;
-  static const AthertonWeilerMethod atherton_weiler;
-  static const WarnockMethod warnock;
-  static const WatkinsMethod scan;
-  static const NewellMethod newell;
   static const BspMethod bsp;
   static const ConvexTreeMethod convex_tree;
-  static const ZBufferMethod depth_buffer;
-  static const PainterMethod painter;
-  static const CullingMethod culling;
-  static const RobertsMethod roberts;
-  static const std::array<const Method*, 11> methods{&appel,       &atherton_weiler, &warnock, &scan,    &newell, &bsp,
-                                                     &convex_tree, &depth_buffer,    &painter, &culling, &roberts};
+  static const std::array<const Method*, 11> methods{
+      &appel_method(), &atherton_weiler_method(), &warnock_method(), &watkins_method(), &newell_method(), &bsp,
+      &convex_tree,    &zbuffer_method(),         &painter_method(), &culling_method(), &roberts_method()};
   return methods;
 }
 

@@ -12,8 +12,6 @@ using namespace watkins;
 class Nobody final : public LineListener {
  public:
   void line(const LineScan&, std::uint32_t, bool) override {}
-  void ended(const LineScan&, std::uint32_t) override {}
-  void hidden_point(const LineScan&, std::uint32_t, std::uint32_t) override {}
 };
 
 }  // namespace

@@ -1,12 +1,12 @@
 // The method warnock on the corpus and on crowds of boxes: as many strokes as the default method, whatever the windows; and
 // with a limit of resolution, errors that shrink in proportion.
 
-#include "visibility/warnock/warnock.hpp"
 #include "main/tier.hpp"
 #include "support/corpus_scene.hpp"
 #include "support/judge.hpp"
 #include "support/scenes.hpp"
 #include "visibility/common/opaque_scene.hpp"
+#include "visibility/methods.hpp"
 
 namespace ligne::test {
 namespace {
@@ -28,7 +28,7 @@ class WarnockWith final : public Method {
 
  private:
   MethodSettings settings_;
-  WarnockMethod warnock_;
+  const Method& warnock_ = warnock_method();
   MethodTraits traits_;
 };
 

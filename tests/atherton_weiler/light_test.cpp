@@ -12,7 +12,7 @@
 #include "support/test.hpp"
 #include "view/projected_scene.hpp"
 #include "view/tolerances.hpp"
-#include "visibility/atherton_weiler/atherton_weiler.hpp"
+#include "visibility/methods.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
@@ -80,7 +80,7 @@ struct Seen {
     EdgeSelection selection;
     for (std::size_t c = 0; c < kEdgeClassCount; ++c) selection.classes.add(static_cast<LineClass>(c));
     const ProjectedScene projected = project(scene, topology, view, selection);
-    VisibilityResult result = AthertonWeilerMethod().compute_visibility(projected, {});
+    VisibilityResult result = atherton_weiler_method().compute_visibility(projected, {});
     regions = std::move(*result.regions);
     strokes = std::move(*result.strokes);
     remove_coincident_strokes(strokes, coincidence_mm(projected));

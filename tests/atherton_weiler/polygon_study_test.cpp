@@ -6,7 +6,7 @@
 #include "scene/clean/clean.hpp"
 #include "scene/readers/reader.hpp"
 #include "support/scenes.hpp"
-#include "visibility/atherton_weiler/atherton_weiler.hpp"
+#include "visibility/methods.hpp"
 
 namespace ligne::test {
 namespace {
@@ -28,7 +28,7 @@ VisibilityResult compute_visibility(const Scene& scene, const char* from, unsign
   VisibilityOptions options;
   options.settings.set("study", ParameterWord{how});
   for (const Setting& setting : more) options.settings.set(setting.name, ParameterWord{setting.word});
-  return AthertonWeilerMethod().compute_visibility(project(scene, build_topology(scene), view, {}), options);
+  return atherton_weiler_method().compute_visibility(project(scene, build_topology(scene), view, {}), options);
 }
 
 VisibilityResult compute_visibility(const std::string& file, const char* from, unsigned how,

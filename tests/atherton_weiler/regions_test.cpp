@@ -9,7 +9,7 @@
 #include "support/corpus_scene.hpp"
 #include "support/judge.hpp"
 #include "support/test.hpp"
-#include "visibility/atherton_weiler/atherton_weiler.hpp"
+#include "visibility/methods.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne::test {
@@ -158,7 +158,7 @@ TEST_P(Regions, AreTheSameByTheClassicalStudy) {
     const JudgedView judged(scene, GetParam().stem().string(), standard);
     const ProjectedScene projected = project(scene, topology, judged.view(), {});
     const std::map<std::uint32_t, double> wanted =
-        areas_of(*AthertonWeilerMethod().compute_visibility(projected, {}).regions);
+        areas_of(*atherton_weiler_method().compute_visibility(projected, {}).regions);
     double whole = 0;
     for (const auto& [face, area] : wanted) whole += area;
     // Slivers where four faces pass through one line, a step wide, go to one face by this study and to another or to nobody
@@ -184,7 +184,7 @@ TEST_P(Regions, AreTheSameByTheClassicalStudy) {
       VisibilityOptions options;
       options.settings.set("study", ParameterWord{study.study});
       options.settings.set(study.setting, ParameterWord{study.word});
-      const std::vector<Region> regions = *AthertonWeilerMethod().compute_visibility(projected, options).regions;
+      const std::vector<Region> regions = *atherton_weiler_method().compute_visibility(projected, options).regions;
       std::map<std::uint32_t, double> areas = areas_of(regions);
       if (projected.triangles.size() <= kMostTriangles) {
         const double sum = twice_area_mm(seen_directly(regions));

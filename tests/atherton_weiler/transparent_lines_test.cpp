@@ -3,8 +3,7 @@
 
 #include "main/tier.hpp"
 #include "support/scenes.hpp"
-#include "visibility/atherton_weiler/atherton_weiler.hpp"
-#include "visibility/edges/appel.hpp"
+#include "visibility/methods.hpp"
 
 namespace ligne::test {
 namespace {
@@ -58,7 +57,7 @@ TEST(TransparentFaces, AreLeftOutByWarnock) {
   const auto glass = [&](std::uint32_t face) { return face == kNone || with_glass.face_is_transparent[face]; };
   std::erase_if(without.edges, [&](const ProjectedEdge& e) { return glass(e.face0) && glass(e.face1); });
   const VisibilityResult found = find_method("warnock")->compute_visibility(with_glass, {});
-  expect_equal(lengths(*found.strokes, 0, 255), lengths(*AppelMethod().compute_visibility(without, {}).strokes, 0, 255));
+  expect_equal(lengths(*found.strokes, 0, 255), lengths(*appel_method().compute_visibility(without, {}).strokes, 0, 255));
   const auto faces = std::ranges::count(with_glass.face_is_transparent, std::uint8_t{1});
   EXPECT_EQ(found.left_out, std::to_string(faces) + " transparent faces");
   for (const Region& r : *found.regions) EXPECT_FALSE(with_glass.face_is_transparent[r.face]);
@@ -94,13 +93,13 @@ TEST(TransparentLines, AreThoseWithoutTheGlassAndThoseInFrontOfIt) {
       opaque.face_is_transparent.clear();
       without.face_is_transparent.clear();
       std::erase_if(without.triangles, [&](const Triangle& t) { return with_glass.face_is_transparent[t.face] != 0; });
-      const StrokeModel in_front = *AppelMethod().compute_visibility(opaque, {}).strokes,
-                        all = *AppelMethod().compute_visibility(without, {}).strokes;
+      const StrokeModel in_front = *appel_method().compute_visibility(opaque, {}).strokes,
+                        all = *appel_method().compute_visibility(without, {}).strokes;
       for (const unsigned study : {0u, 1u, 2u}) {
         SCOPED_TRACE(study);
         VisibilityOptions options;
         options.settings.set("study", ParameterWord{study});
-        const StrokeModel found = *AthertonWeilerMethod().compute_visibility(with_glass, options).strokes;
+        const StrokeModel found = *atherton_weiler_method().compute_visibility(with_glass, options).strokes;
         expect_equal(lengths(found, 0, 255), lengths(all, 0, 255));
         expect_equal(lengths(found, 0, 0), lengths(in_front, 0, 0));
         EXPECT_GT(sum(lengths(found, 1, 1)), 300);

@@ -3,7 +3,6 @@
 
 #include "contours/contour_lines.hpp"
 #include "contours/parametric_mesh.hpp"
-#include "contours/surfaces/shallow_islands.hpp"
 #include "contours/surfaces/surface_fits.hpp"
 #include "drawing/measures.hpp"
 #include "main/tier.hpp"

@@ -4,9 +4,10 @@
 #include "main/script.hpp"
 #include "main/tier.hpp"
 #include "plotted.hpp"
+#include "plotting/plot.hpp"
 #include "plotting/plot_parts.hpp"
 #include "plotting/tiles.hpp"
-#include "plotting/writers/plot_writers.hpp"
+#include "plotting/writers/writers.hpp"
 
 namespace ligne {
 namespace {

@@ -1,7 +1,8 @@
 #pragma once
 /// A drawing for plotters, what a device is sent for it, and machines that replay that.
 
-#include "plotting/writers/plot_writers.hpp"
+#include "plotting/plot.hpp"
+#include "plotting/writers/writers.hpp"
 #include "sample_drawing.hpp"
 
 namespace ligne::test {

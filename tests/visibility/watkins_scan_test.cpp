@@ -3,7 +3,7 @@
 
 #include "main/tier.hpp"
 #include "support/line_scans.hpp"
-#include "visibility/watkins/watkins.hpp"
+#include "visibility/methods.hpp"
 
 namespace ligne::watkins {
 namespace {
@@ -112,7 +112,7 @@ TEST(WatkinsScan, IntersectionsAreKnownAlsoWhenNobodyDrawsThem) {
         options.span_lines = SpanLines{0.15, 0.3, 700};
       }
       const auto draw = [&](const char* edges) {
-        return WatkinsMethod().compute_visibility(project_on_a4(scene, kOdd, edges), options);
+        return watkins_method().compute_visibility(project_on_a4(scene, kOdd, edges), options);
       };
       const VisibilityResult with = draw("feature"), without = draw("outline border crease");
       EXPECT_LT(difference(with.spans->spans, without.spans->spans), 1e-6 * length(with.spans->spans)) << name << by_lines;

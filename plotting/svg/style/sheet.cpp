@@ -5,9 +5,8 @@
 
 #include "areas/work_limit_error.hpp"
 #include "files/message_text.hpp"
-#include "plotting/svg/namespaces.hpp"
-#include "plotting/svg/style/css_text.hpp"
 #include "plotting/svg/values.hpp"
+#include "plotting/svg/xml.hpp"
 
 namespace ligne::svg {
 namespace {

@@ -1,11 +1,11 @@
 #include "plotting/svg/style/style.hpp"
-#include "plotting/svg/style/placing.hpp"
 
 #include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <utility>
-#include <vector>
+
+#include "plotting/svg/style/placing.hpp"
 
 namespace ligne::svg {
 namespace {
@@ -60,20 +60,9 @@ class StyleReader {
     }
     constexpr std::string_view kInherited[] = {"inherit", "unset", "revert", "revert-layer"};
     if (std::ranges::find(kInherited, value) != std::end(kInherited)) return;
-    if (set_of_paint(name, value) || set_of_text(name, value) || set_of_place(name, value, is_attribute)) return;
-    if (name == "display")
-      show(value == "none", clear_);
-    else if (name == "visibility")
-      style_.visible = value == "visible";
-    else if (name == "clip-rule")
-      style_.clip_even_odd = value == "evenodd";
-    else if (name == "overflow")
-      style_.overflow = value == "visible" || value == "auto";
-    else if (name.starts_with("marker-"))
-      set_markers(name, value);
-    else if (value == "none" || value == "normal" || value == "auto")
-      return;
-    else if (name == "clip-path")
+    if (const Setter set = setter_of(name)) return set(*this, value);
+    if (set_of_place(name, value, is_attribute) || value == "none" || value == "normal" || value == "auto") return;
+    if (name == "clip-path")
       set_clip(value);
     else if (name == "mask")
       style_.mask = id_in(value);
@@ -90,84 +79,60 @@ class StyleReader {
       placing_.transform = transform(value, is_attribute ? nullptr : &port_);
     else if (!is_attribute && (name == "translate" || name == "rotate" || name == "scale"))
       set_placing(placing_, name, value, port_);
-    else if (name == "transform-origin")
-      style_.origin = value;
     else if (name == "transform-box")
       style_.origin_of_box = value == "fill-box" || value == "content-box" || value == "stroke-box" || value == "border-box";
     else if (name == "marker" && !is_attribute)  // no attribute, by SVG 1.1, 11.6.2
-      set_markers(name, value);
+      for (std::size_t place = 0; place < style_.markers.size(); ++place) set_marker(place, value);
     else
       return false;
     return true;
   }
-  /// Sets properties of paint and lines. Like the next function, it returns false for other names.
-  bool set_of_paint(std::string_view name, std::string_view value) {
-    if (name == "stroke")
-      set_paint(style_.stroke, value);
-    else if (name == "fill")
-      set_paint(style_.fill, value);
-    else if (name == "color")
-      style_.color = paint(value).value_or("#000000");
-    else if (name == "stop-color")
-      style_.stop_color = paint(value) == "currentColor" ? style_.color : paint(value);
-    else if (name == "stroke-opacity")
-      style_.stroke_seen = opacity_of(value) > 0;
-    else if (name == "fill-opacity")
-      set_fill_opacity(opacity_of(value));
-    else if (name == "stop-opacity")
-      style_.stop_opacity = opacity_of(value);
-    else if (name == "mix-blend-mode")
-      style_.blended = value != "normal";
-    else if (name == "paint-order")
-      set_paint_order(value);
-    else if (name == "opacity")
-      show(none_, (style_.opacity = opacity_of(value)) == 0);
-    else if (name == "stroke-width")
-      set_stroke_width(length(value, port_.diagonal()));
-    else if (name == "stroke-dashoffset")
-      style_.dash_offset = length(value, port_.diagonal());
-    else if (name == "stroke-dasharray")
-      set_dashes(value);
-    else if (name == "fill-rule")
-      style_.fill_even_odd = value == "evenodd";
-    else if (name == "stroke-linecap")
-      style_.round_caps = value != "butt";
-    else if (name == "vector-effect")
-      set_vector_effect(value);
-    else
-      return false;
-    return true;
+  using Text = std::string_view;
+  using Setter = void (*)(StyleReader& r, Text value);
+  /// Sets a property, alike by an attribute and by a style sheet; null for other names.
+  static Setter setter_of(std::string_view name) {
+    static constexpr std::pair<std::string_view, Setter> kSetters[] = {
+        {"stroke", [](StyleReader& r, Text v) { r.set_paint(r.style_.stroke, v); }},
+        {"fill", [](StyleReader& r, Text v) { r.set_paint(r.style_.fill, v); }},
+        {"color", [](StyleReader& r, Text v) { r.style_.color = paint(v).value_or("#000000"); }},
+        {"stop-color",
+         [](StyleReader& r, Text v) { r.style_.stop_color = paint(v) == "currentColor" ? r.style_.color : paint(v); }},
+        {"stroke-opacity", [](StyleReader& r, Text v) { r.style_.stroke_seen = opacity_of(v) > 0; }},
+        {"fill-opacity", [](StyleReader& r, Text v) { r.set_fill_opacity(opacity_of(v)); }},
+        {"stop-opacity", [](StyleReader& r, Text v) { r.style_.stop_opacity = opacity_of(v); }},
+        {"mix-blend-mode", [](StyleReader& r, Text v) { r.style_.blended = v != "normal"; }},
+        {"paint-order", [](StyleReader& r, Text v) { r.set_paint_order(v); }},
+        {"opacity", [](StyleReader& r, Text v) { r.show(r.none_, (r.style_.opacity = opacity_of(v)) == 0); }},
+        {"stroke-width", [](StyleReader& r, Text v) { r.set_stroke_width(r.length(v, r.port_.diagonal())); }},
+        {"stroke-dashoffset", [](StyleReader& r, Text v) { r.style_.dash_offset = r.length(v, r.port_.diagonal()); }},
+        {"stroke-dasharray", [](StyleReader& r, Text v) { r.set_dashes(v); }},
+        {"fill-rule", [](StyleReader& r, Text v) { r.style_.fill_even_odd = v == "evenodd"; }},
+        {"stroke-linecap", [](StyleReader& r, Text v) { r.style_.round_caps = v != "butt"; }},
+        {"vector-effect", [](StyleReader& r, Text v) { r.set_vector_effect(v); }},
+        {"font-size", [](StyleReader& r, Text v) { r.set_font_size(v); }},
+        {"font", [](StyleReader& r, Text v) { r.set_font(v); }},
+        {"text-anchor", [](StyleReader& r, Text v) { r.style_.anchor = v; }},
+        {"letter-spacing", [](StyleReader& r, Text v) { r.style_.letter_spacing = r.spacing(v); }},
+        {"word-spacing", [](StyleReader& r, Text v) { r.style_.word_spacing = r.spacing(v); }},
+        {"dominant-baseline", [](StyleReader& r, Text v) { r.set_baseline(v); }},
+        {"alignment-baseline", [](StyleReader& r, Text v) { r.set_baseline(v); }},
+        {"baseline-shift", [](StyleReader& r, Text v) { r.set_baseline_shift(v); }},
+        {"xml:space", [](StyleReader& r, Text v) { r.style_.keep_blanks = v == "preserve"; }},
+        {"white-space",
+         [](StyleReader& r, Text v) { r.style_.keep_blanks = v == "pre" || v == "pre-wrap" || v == "break-spaces"; }},
+        {"display", [](StyleReader& r, Text v) { r.show(v == "none", r.clear_); }},
+        {"visibility", [](StyleReader& r, Text v) { r.style_.visible = v == "visible"; }},
+        {"clip-rule", [](StyleReader& r, Text v) { r.style_.clip_even_odd = v == "evenodd"; }},
+        {"overflow", [](StyleReader& r, Text v) { r.style_.overflow = v == "visible" || v == "auto"; }},
+        {"transform-origin", [](StyleReader& r, Text v) { r.style_.origin = v; }},
+        {"marker-start", [](StyleReader& r, Text v) { r.set_marker(0, v); }},
+        {"marker-mid", [](StyleReader& r, Text v) { r.set_marker(1, v); }},
+        {"marker-end", [](StyleReader& r, Text v) { r.set_marker(2, v); }},
+    };
+    const auto known = std::ranges::find(kSetters, name, [](const auto& setter) { return setter.first; });
+    return known == std::end(kSetters) ? nullptr : known->second;
   }
-  bool set_of_text(std::string_view name, std::string_view value) {
-    if (name == "font-size")
-      set_font_size(value);
-    else if (name == "font")
-      set_font(value);
-    else if (name == "text-anchor")
-      style_.anchor = value;
-    else if (name == "letter-spacing")
-      style_.letter_spacing = spacing(value);
-    else if (name == "word-spacing")
-      style_.word_spacing = spacing(value);
-    else if (name == "dominant-baseline" || name == "alignment-baseline")
-      set_baseline(value);
-    else if (name == "baseline-shift")
-      set_baseline_shift(value);
-    else if (name == "xml:space")
-      style_.keep_blanks = value == "preserve";
-    else if (name == "white-space")
-      style_.keep_blanks = value == "pre" || value == "pre-wrap" || value == "break-spaces";
-    else
-      return false;
-    return true;
-  }
-  void set_markers(std::string_view name, std::string_view value) {
-    constexpr std::string_view kNames[] = {"marker-start", "marker-mid", "marker-end"};
-    const std::string id = value == "none" ? "" : id_in(value);
-    for (std::size_t i = 0; i < style_.markers.size(); ++i) {
-      if (name == "marker" || name == kNames[i]) style_.markers[i] = id;
-    }
-  }
+  void set_marker(std::size_t place, std::string_view value) { style_.markers[place] = value == "none" ? "" : id_in(value); }
   /// Sets a colour, or "url(#id)" with a fallback colour behind it.
   void set_paint(std::optional<Paint>& target, std::string_view value) {
     if (value == "context-fill" || value == "context-stroke") {

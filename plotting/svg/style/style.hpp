@@ -9,9 +9,9 @@
 #include <pugixml.hpp>
 
 #include "plotting/svg/diagnostics.hpp"
-#include "plotting/svg/namespaces.hpp"
 #include "plotting/svg/style/sheet.hpp"
 #include "plotting/svg/values.hpp"
+#include "plotting/svg/xml.hpp"
 
 namespace ligne::svg {
 

@@ -9,7 +9,7 @@
 #include "cli/options/options.hpp"
 #include "files/message_text.hpp"
 #include "files/named_input.hpp"
-#include "picture/check_request.hpp"
+#include "picture/requests.hpp"
 #include "picture/clear/clear_creases.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/errors.hpp"

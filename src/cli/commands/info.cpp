@@ -8,7 +8,7 @@
 #include "cli/console.hpp"
 #include "cli/options/options.hpp"
 #include "files/named_input.hpp"
-#include "picture/check_request.hpp"
+#include "picture/requests.hpp"
 #include "picture/parse/parse_options.hpp"
 #include "picture/products.hpp"
 #include "plotting/writers/output_file.hpp"

@@ -9,7 +9,6 @@
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "contours/contour_choice.hpp"
 #include "contours/contour_sights.hpp"
 #include "contours/surfaces/lines_beside.hpp"
 #include "linework/map/nodes.hpp"

@@ -1,5 +1,3 @@
-#include "contours/surfaces/patch_fits.hpp"
-
 #include <algorithm>
 #include <array>
 #include <span>
@@ -12,6 +10,7 @@
 #include "base/parallel.hpp"
 #include "base/uninitialized_vector.hpp"
 #include "contours/surfaces/known_surfaces.hpp"
+#include "contours/surfaces/smooth_patch.hpp"
 
 namespace ligne {
 namespace {

@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/keyed_lists.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "view/edge_classes.hpp"
@@ -29,23 +30,6 @@ constexpr double kInPlaneSine = 2e-4;
 constexpr std::size_t kMostPairs = 10'000;
 /// Least cosine of the angle by which rulings may turn a mean normal: 45 degrees.
 constexpr double kLeastKeptCosine = 0.707;
-
-/// Per sector: its corners in the patch.
-class CornersOfSectors {
- public:
-  explicit CornersOfSectors(const SmoothPatch& patch) : begin_(patch.normals.size() + 1, 0), corners_(patch.sector.size()) {
-    for (const std::uint32_t s : patch.sector) ++begin_[s + 1];
-    for (std::size_t s = 1; s < begin_.size(); ++s) begin_[s] += begin_[s - 1];
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t c = 0; c < patch.sector.size(); ++c) corners_[next[patch.sector[c]]++] = c;
-  }
-  std::span<const std::uint32_t> of(std::uint32_t sector) const {
-    return {corners_.data() + begin_[sector], corners_.data() + begin_[sector + 1]};
-  }
-
- private:
-  std::vector<std::uint32_t> begin_, corners_;
-};
 
 /// Half of the chord between unit normals, which is the sine of half of their angle; 1 where one of them is zero.
 double half_chord(const Point3& n, const Point3& m) {
@@ -179,11 +163,12 @@ class RulingFinder {
 void square_to_rulings(const Scene& scene, const Camera& camera, std::span<const Point3> face_normals, SmoothPatch& patch) {
   const std::size_t sectors = patch.normals.size();
   patch.ruled.assign(sectors, 0);
-  const CornersOfSectors corners(patch);
+  const auto corners_of_sectors =
+      numbers_by_key(patch.normals.size(), patch.sector.size(), [&](std::uint32_t corner) { return patch.sector[corner]; });
   const RulingFinder finder(scene, face_normals, patch);
   parallel_blocks(sectors, kSearchBlock, [&](std::size_t begin, std::size_t end) {
     for (auto s = static_cast<std::uint32_t>(begin); s < end; ++s) {
-      const auto around = corners.of(s);
+      const auto around = corners_of_sectors[s];
       if (!patch.complete[around[0]] || patch.normals[s] == Point3(0.0)) continue;
       const std::optional<Point3> normal = finder.normal(around, patch.normals[s]);
       if (!normal) continue;

@@ -10,7 +10,6 @@
 #include "base/parallel.hpp"
 #include "base/uninitialized_vector.hpp"
 #include "base/vertex_pair_index.hpp"
-#include "contours/surfaces/patch_fits.hpp"
 #include "contours/surfaces/rulings.hpp"
 #include "scene/creases/crease_lines.hpp"
 #include "view/edge_classes.hpp"

@@ -6,7 +6,7 @@
 /// region separates; a vertex has one normal and one label in each of its sectors.
 ///
 /// A normal is a mean of face normals with non-negative weights, or the normal of a surface fitted to the vertices
-/// (patch_fits.hpp). Both have this property: if all faces around a vertex face the same way, the vertex has the label
+/// (fit_surfaces()). Both have this property: if all faces around a vertex face the same way, the vertex has the label
 /// of its faces. So zero sets of g run only through triangles that touch the outline of the mesh, and a patch of two
 /// rings of triangles around that outline suffices.
 
@@ -76,5 +76,11 @@ std::vector<std::uint32_t> outlines_inside_regions(const Scene& scene, const Top
 /// crease angle from the normal of a face around it (the tip of a cone).
 SmoothPatch smooth_patch(const Scene& scene, const Topology& topology, const Camera& camera,
                          std::span<const std::uint32_t> outline_edges, const RegionBorders& borders);
+
+/// Fits a surface at each sector beside the zero set of g, to the vertices of two rings within its region, and stores
+/// its normal, the derivative of the normal, and g. A sector keeps its mean of face normals if the fit fails, or if all
+/// its faces face one way and the fitted normal the other way. So the zero set of g stays on triangles that touch the
+/// outline of the mesh.
+void fit_surfaces(const Scene& scene, const Camera& camera, SmoothPatch& patch);
 
 }  // namespace ligne

@@ -1,7 +1,6 @@
 #include "contours/surfaces/surface_fits.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -16,8 +15,6 @@
 #include "geometry/connected_boxes.hpp"
 #include "geometry/point.hpp"
 #include "geometry/predicates.hpp"
-#include "picture/choice/face_pairs.hpp"
-#include "picture/choice/faces_in_front.hpp"
 #include "scene/model/bounds.hpp"
 #include "scene/model/face_shape.hpp"
 #include "scene/model/planarity.hpp"

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "picture/choice/face_spread.hpp"
+#include "picture/choice/face_pairs.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/model/topology.hpp"
 #include "view/projected_scene.hpp"

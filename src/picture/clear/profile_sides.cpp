@@ -1,15 +1,13 @@
 /// The test of what is visible beside strokes, for profiles.
 
-#include "picture/clear/tidy_strokes.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "contours/contour_choice.hpp"
 #include "picture/clear/source_lines.hpp"
+#include "picture/clear/tidy_strokes.hpp"
 #include "scene/clean/named_objects.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/edges/nearest_along.hpp"

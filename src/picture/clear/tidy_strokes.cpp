@@ -10,7 +10,6 @@
 
 #include "base/no_index.hpp"
 #include "contours/surfaces/lines_beside.hpp"
-#include "linework/clean_lines.hpp"
 #include "linework/overlaps/coincident_strokes.hpp"
 #include "picture/clear/source_lines.hpp"
 #include "view/tolerances.hpp"

@@ -6,7 +6,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "base/no_index.hpp"
 #include "geometry/nearest_on_segment.hpp"
 #include "picture/light/face_carrier.hpp"
 
@@ -194,21 +193,21 @@ std::uint64_t FormRegions::cell(double x, double y) const {
 
 FormRegions::FormRegions(const Scene& scene, const FormMesh& mesh, const View& view, std::span<const Region> regions,
                          double cell_mm)
-    : regions_(regions), first_(scene.faces.size() + 1, 0), cell_mm_(cell_mm) {
-  for (const Region& region : regions) first_[region.face + 1] += region.level == 0;
-  for (std::size_t f = 0; f + 1 < first_.size(); ++f) first_[f + 1] += first_[f];
-  list_.resize(first_.back());
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (std::uint32_t r = 0; r < regions.size(); ++r) {
-    if (regions[r].level == 0) list_[next[regions[r].face]++] = r;
-  }
+    : regions_(regions),
+      of_face_(scene.faces.size(),
+               [&](const auto& put) {
+                 for (std::uint32_t r = 0; r < regions.size(); ++r) {
+                   if (regions[r].level == 0) put(regions[r].face, r);
+                 }
+               }),
+      cell_mm_(cell_mm) {
   std::vector<Point2> page;
   for (const Point3& point : mesh.points) {
     const HomogeneousPoint p = to_homogeneous(view, point);
     page.push_back({p.x / p.w, p.y / p.w});
   }
   for (std::uint32_t face = 0; face < scene.faces.size(); ++face) {
-    if (!of_face(face).empty()) add_rims(mesh, page, face);
+    if (!of_face_[face].empty()) add_rims(mesh, page, face);
   }
 }
 
@@ -254,8 +253,8 @@ void FormRegions::add_rims(const FormMesh& mesh, std::span<const Point2> page, s
       return distance_to(a, side.from, side.to) <= kTouchMm && distance_to(b, side.from, side.to) <= kTouchMm;
     });
   };
-  const bool several = of_face(face).size() > 1;
-  for (const std::uint32_t number : of_face(face)) {
+  const bool several = of_face_[face].size() > 1;
+  for (const std::uint32_t number : of_face_[face]) {
     for (const auto& contour : regions_[number].contours) {
       for (std::size_t i = 0, before = contour.size() - 1; i < contour.size(); before = i++) {
         const Point2 a = contour[before], b = contour[i];
@@ -272,14 +271,14 @@ void FormRegions::add_rims(const FormMesh& mesh, std::span<const Point2> page, s
 }
 
 std::optional<std::uint32_t> FormRegions::region_at(std::uint32_t face, Point2 page_mm) const {
-  for (const std::uint32_t number : of_face(face)) {
+  for (const std::uint32_t number : of_face_[face]) {
     if (contains(regions_[number], page_mm)) return number;
   }
   return std::nullopt;
 }
 
 std::uint32_t FormRegions::region_near(std::uint32_t face, Point2 page_mm) const {
-  const auto list = of_face(face);
+  const auto list = of_face_[face];
   return list.size() == 1 ? list.front() : region_at(face, page_mm).value_or(list.front());
 }
 
@@ -287,7 +286,7 @@ double FormRegions::seen_until(std::uint32_t face, Point2 from, Point2 to) const
   const Point2 way = to - from;
   const double length = glm::length(way);
   std::vector<double> cuts{0, 1};
-  for (const std::uint32_t number : of_face(face)) {
+  for (const std::uint32_t number : of_face_[face]) {
     for (const auto& contour : regions_[number].contours) {
       for (std::size_t i = 0, before = contour.size() - 1; i < contour.size(); before = i++) {
         const Point2 side = contour[i] - contour[before];

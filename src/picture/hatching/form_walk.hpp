@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/keyed_lists.hpp"
 #include "base/no_index.hpp"
 #include "drawing/result_models.hpp"
 #include "picture/hatching/form_field.hpp"
@@ -41,15 +42,12 @@ class FormRegions {
   struct Rim {
     Point2 from, to;
   };
-  std::span<const std::uint32_t> of_face(std::uint32_t face) const {
-    return {list_.data() + first_[face], list_.data() + first_[face + 1]};
-  }
   void add_rims(const FormMesh& mesh, std::span<const Point2> page, std::uint32_t face);
   void add_rim(const Rim& rim);
   std::uint64_t cell(double x, double y) const;
 
   std::span<const Region> regions_;
-  std::vector<std::uint32_t> first_, list_;  ///< regions of each face
+  KeyedLists<std::uint32_t> of_face_;  ///< regions of each face
   double cell_mm_;
   std::vector<Rim> rims_;
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;  ///< rims that meet the box of a cell

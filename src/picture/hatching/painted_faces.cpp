@@ -7,7 +7,7 @@
 #include "picture/hatching/smooth_tones.hpp"
 #include "picture/products.hpp"
 #include "picture/raster/span_areas.hpp"
-#include "plotting/hatching/fill_rim.hpp"
+#include "plotting/page.hpp"
 #include "view/brightness.hpp"
 
 namespace ligne {

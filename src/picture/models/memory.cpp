@@ -3,13 +3,12 @@
 
 #include "picture/models/memory.hpp"
 
-#include <malloc.h>
 #include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <string>
-#include <string_view>
+
+#include <malloc.h>
 
 namespace ligne {
 namespace {

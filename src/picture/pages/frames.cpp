@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
-#include <string>
 #include <string_view>
 #include <utility>
 
@@ -12,7 +10,6 @@
 #include <glm/trigonometric.hpp>
 
 #include "files/message_text.hpp"
-#include "picture/draw_scene.hpp"
 #include "picture/errors.hpp"
 #include "picture/products.hpp"
 

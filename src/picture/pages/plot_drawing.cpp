@@ -64,6 +64,15 @@ void transform(Drawing& drawing, double scale, Point2 shift) {
   }
 }
 
+/// The page of a size, turned as requested or as its contents fit better.
+Page page_of_size(const PageSize& size, const PlotDrawingRequest& request, const Rect& contents) {
+  PageRequest wanted;
+  wanted.size = size;
+  wanted.landscape = request.landscape;
+  wanted.portrait = request.portrait;
+  return page_for(wanted, contents);
+}
+
 /// Puts the drawing on the requested page: centres its own page there, or scales its lines to fill it. Returns the
 /// scale.
 double place(const PlotDrawingRequest& request, ReadDrawing& read) {
@@ -71,11 +80,7 @@ double place(const PlotDrawingRequest& request, ReadDrawing& read) {
   Page page = own;
   const Rect ink = drawn_bounds(read.drawing);
   if (request.page) {
-    PageRequest wanted;
-    wanted.size = *request.page;
-    wanted.landscape = request.landscape;
-    wanted.portrait = request.portrait;
-    page = page_for(wanted, !request.scale && !ink.empty() ? ink : own.sheet());
+    page = page_of_size(*request.page, request, !request.scale && !ink.empty() ? ink : own.sheet());
   } else if ((request.landscape && own.height_mm > own.width_mm) || (request.portrait && own.width_mm > own.height_mm)) {
     std::swap(page.width_mm, page.height_mm);
   }
@@ -264,12 +269,8 @@ ReadDrawing drawings_in_grid(std::span<const DrawingText> drawings, const PlotDr
   ReadDrawing sheet;
   sheet.page = pages.front();
   if (request.page) {
-    PageRequest wanted;
-    wanted.size = *request.page;
-    wanted.landscape = request.landscape;
-    wanted.portrait = request.portrait;
     const Point2 mosaic{columns * pages.front().width_mm, rows * pages.front().height_mm};
-    sheet.page = page_for(wanted, {{0, 0}, mosaic});
+    sheet.page = page_of_size(*request.page, request, {{0, 0}, mosaic});
   }
   sheet.page.margin_mm = request.margin_mm;
   const Rect area = sheet.page.drawable();
@@ -300,11 +301,7 @@ ReadDrawing drawings_in_grid(std::span<const DrawingText> drawings, const PlotDr
 /// Writes the sheets of a large page, as files or as pages.
 Picture write_tiles(const ReadDrawing& read, const PlotDrawingRequest& request, const PlotterRequest& plotter,
                     bool tile_files, RunReport& run) {
-  PageRequest wanted;
-  wanted.size = *request.tile;
-  wanted.landscape = request.landscape;
-  wanted.portrait = request.portrait;
-  Page paper = page_for(wanted, read.page.sheet());
+  Page paper = page_of_size(*request.tile, request, read.page.sheet());
   paper.margin_mm = request.margin_mm;
   const double smaller = std::min(paper.drawable().width(), paper.drawable().height());
   if (!(smaller > request.overlap_mm))

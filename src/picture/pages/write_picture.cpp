@@ -11,7 +11,7 @@
 #include "files/message_text.hpp"
 #include "picture/errors.hpp"
 #include "picture/pages/named_layers.hpp"
-#include "plotting/writers/plot_writers.hpp"
+#include "plotting/plot.hpp"
 
 namespace ligne {
 namespace {

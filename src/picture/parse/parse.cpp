@@ -5,7 +5,6 @@
 #include <cmath>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include "base/portable.hpp"
 #include "files/closest_name.hpp"
@@ -20,16 +19,6 @@ namespace {
   throw std::invalid_argument((text.empty() ? "an empty text" : shown(text, '"')) + " " + cause);
 }
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const std::size_t end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
 /// Returns the number, or nothing.
 std::optional<double> number(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
@@ -42,6 +31,16 @@ std::optional<double> number(std::string_view text) {
 std::string with_unit(std::string_view unit) { return unit.empty() ? "" : " " + std::string(unit); }
 
 }  // namespace
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
 
 std::string list_of(std::span<const std::string_view> names) {
   std::string list;

@@ -32,6 +32,9 @@ double parse_between(std::string_view text, double low, double high, std::string
 /// A number in the closed interval [low, high].
 double parse_within(std::string_view text, double low, double high, std::string_view unit);
 
+/// The parts of a text between separators, of which some may be empty.
+std::vector<std::string_view> split(std::string_view text, char separator);
+
 /// A whole number in [low, high].
 unsigned parse_count(std::string_view text, unsigned low, unsigned high);
 

@@ -85,13 +85,10 @@ double parse_pen_width(const std::string& text) {
 
 LineWidths parse_widths(const std::string& text) {
   LineWidths widths;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string part = text.substr(begin, end - begin);
+  for (const std::string_view part : split(text, ',')) {
     const std::size_t equals = part.rfind('=');
     if (equals == std::string::npos || equals == 0) throw std::invalid_argument(shown(part, '"') + " is not CLASS=LEN");
-    widths[part.substr(0, equals)] = parse_pen_width(part.substr(equals + 1));
-    begin = end + 1;
+    widths[std::string(part.substr(0, equals))] = parse_pen_width(std::string(part.substr(equals + 1)));
   }
   return widths;
 }
@@ -266,14 +263,9 @@ TableLayout parse_layout(const std::string& text) {
 }
 
 std::vector<std::string> parse_columns(const std::string& text) {
-  std::vector<std::string> columns;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(':', begin), text.size());
-    columns.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  const bool any_empty = std::any_of(columns.begin(), columns.end(), [](const std::string& c) { return c.empty(); });
-  if (any_empty || (columns.size() != 1 && columns.size() != 3))
+  const std::vector<std::string_view> parts = split(text, ':');
+  const std::vector<std::string> columns(parts.begin(), parts.end());
+  if (std::ranges::count(columns, "") > 0 || (columns.size() != 1 && columns.size() != 3))
     throw std::invalid_argument(shown(text, '"') + " is not X:Y:Z, three columns, or Z, one of heights");
   return columns;
 }

@@ -52,12 +52,9 @@ void parse_material(const std::string& text, StoredPaint& paint) {
 
 std::set<std::string> parse_skip(const std::string& text) {
   std::set<std::string> names;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string name = text.substr(begin, end - begin);
+  for (const std::string_view name : split(text, ',')) {
     parse_choice(name, kSkippable);
-    names.insert(name);
-    begin = end + 1;
+    names.emplace(name);
   }
   return names;
 }

@@ -4,8 +4,6 @@
 #include <atomic>
 #include <cmath>
 
-#include "base/no_index.hpp"
-
 namespace ligne {
 namespace {
 

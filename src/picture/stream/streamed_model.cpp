@@ -1,7 +1,6 @@
 #include "picture/stream/streamed_model.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "files/message_text.hpp"

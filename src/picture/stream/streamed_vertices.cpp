@@ -5,11 +5,9 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
@@ -17,7 +15,6 @@
 #include "picture/stream/stream_passes.hpp"
 #include "view/tolerances.hpp"
 #include "view/vertex_clusters.hpp"
-#include "visibility/stream/stream_facet.hpp"
 
 namespace ligne {
 namespace {

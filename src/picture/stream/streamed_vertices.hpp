@@ -6,7 +6,7 @@
 
 #include "scene/model/scene.hpp"
 #include "scene/readers/triangle_file.hpp"
-#include "visibility/stream/stream_facet.hpp"
+#include "visibility/stream/page_layers.hpp"
 
 namespace ligne {
 

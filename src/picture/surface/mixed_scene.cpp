@@ -6,7 +6,6 @@
 
 #include "picture/errors.hpp"
 #include "picture/surface/surface_mesh_picture.hpp"
-#include "scene/clean/clean.hpp"
 #include "scene/readers/reader.hpp"
 
 namespace ligne {

@@ -4,10 +4,8 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include <glm/common.hpp>
 
@@ -15,17 +13,13 @@
 #include "picture/draw_scene.hpp"
 #include "picture/errors.hpp"
 #include "picture/hatching/form_field.hpp"
-#include "picture/marks/axes.hpp"
-#include "picture/surface/curve_distance.hpp"
 #include "picture/surface/surface_curves.hpp"
-#include "picture/surface/surface_samples.hpp"
 #include "picture/surface/surface_scale.hpp"
 #include "picture/surface/surface_terrain.hpp"
 #include "scene/clean/crossing_edges.hpp"
 #include "scene/surfaces/contours/cut_cells.hpp"
 #include "scene/surfaces/mesh_writer.hpp"
 #include "scene/surfaces/surface_mesh.hpp"
-#include "visibility/registry.hpp"
 
 namespace ligne {
 namespace {

@@ -6,9 +6,7 @@
 
 #include "picture/errors.hpp"
 #include "picture/marks/axes.hpp"
-#include "picture/surface/curve_distance.hpp"
 #include "picture/surface/surface_mesh_picture.hpp"
-#include "picture/surface/surface_samples.hpp"
 #include "picture/surface/surface_scale.hpp"
 #include "picture/surface/surface_terrain.hpp"
 #include "plotting/writers/writers.hpp"

@@ -2,19 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include "files/message_text.hpp"
 #include "picture/errors.hpp"
 #include "picture/surface/defined_ground.hpp"
 #include "picture/surface/surface_scale.hpp"
-#include "scene/surfaces/formula/height_function.hpp"
 #include "scene/surfaces/grids/grid_surfaces.hpp"
 #include "scene/surfaces/height_filters.hpp"
-#include "scene/surfaces/height_source.hpp"
 #include "scene/surfaces/held_heights.hpp"
 
 namespace ligne {

@@ -2,6 +2,7 @@
 /// Finds the lengths of the axes of a plotted surface in its picture.
 
 #include <array>
+#include <cstddef>
 #include <string>
 
 #include "geometry/point.hpp"
@@ -11,6 +12,7 @@
 #include "scene/surfaces/height_source.hpp"
 #include "view/axes/axes_box.hpp"
 #include "view/axes/ticks.hpp"
+#include "view/view.hpp"
 
 namespace ligne {
 
@@ -27,5 +29,19 @@ std::string short_number(double value);
 
 /// The kinds of the axes: linear or logarithmic.
 std::array<TickScale, 3> tick_scales(const SurfaceRequest& request);
+
+/// Least distance of curves by default, in pen widths.
+inline constexpr double kCurveDistance = 1.5;
+
+/// A grid over the ground of `box`, scaled as in the drawing.
+struct GridOnPage {
+  AxesBox box;
+  std::size_t columns = 2, rows = 2;
+  bool x_curves = true, y_curves = true;  ///< at columns, at rows
+};
+
+/// Strides of the curves, in columns and rows. On level ground at the centre, curves are then kCurveDistance apart.
+/// Each family keeps at least eight curves, also if the view is along the ground.
+std::size_t stride_apart(const GridOnPage& grid, const View& view, double pen_width_mm);
 
 }  // namespace ligne

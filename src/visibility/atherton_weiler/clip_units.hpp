@@ -2,9 +2,12 @@
 /// Units that the classical study clips as a whole: a face, or the silhouette of a convex body.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/polygons/contour_face.hpp"
+#include "geometry/polygons/convex_clip.hpp"
+#include "visibility/atherton_weiler/polygon_options.hpp"
 #include "visibility/common/facet.hpp"
 
 namespace ligne::atherton_weiler {
@@ -50,5 +53,30 @@ struct ClipUnit {
 /// front of the plane of a front face, or behind the plane of a back face, by more than the depth tolerance. A body is split
 /// into its faces where rounding to the lattice makes front faces overlap or back faces visible.
 std::vector<ClipUnit> clip_units(const ProjectedScene& scene, const std::vector<Facet>& facets, bool silhouettes);
+
+/// Clips one subject after the other. One per task: it keeps its working memory.
+class PolygonClip {
+ public:
+  PolygonClip(ClipKind kind, PolygonCounts& counts) : kind_(kind), counts_(counts) {}
+
+  /// Divides the faces of the subject by the union of the clip faces. The faces of either do not overlap each other. Returns
+  /// whether some of the subject is inside. `subject` must live until take_outside().
+  bool divide(std::span<const ContourFace> subject, std::span<const ContourFace> clip);
+
+  /// The parts found by divide(), once each; see clip_contour_by_contour(). Faces known to be convex are marked.
+  std::vector<ContourFace> take_inside() { return std::move(inside_); }
+  std::vector<ContourFace> take_outside();
+
+ private:
+  void divide_general(std::span<const ContourFace> subject, std::span<const ContourFace> clip);
+  void divide_convex(const ContourFace& subject, const ContourFace& clip);
+
+  ClipKind kind_;
+  PolygonCounts& counts_;
+  ConvexClip convex_;
+  std::vector<ContourFace> inside_, outside_;
+  std::vector<const ContourFace*> untouched_;  ///< faces of the subject that lie apart from the clip face
+  std::vector<ContourFace> rest_;              ///< faces of the subject for the general clip
+};
 
 }  // namespace ligne::atherton_weiler

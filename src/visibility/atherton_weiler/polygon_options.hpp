@@ -1,7 +1,10 @@
 #pragma once
 /// Choices and counts of the classical study.
 
+#include <algorithm>
 #include <cstdint>
+
+#include "base/add_counts.hpp"
 
 namespace ligne::atherton_weiler {
 
@@ -55,7 +58,11 @@ struct PolygonCounts {
   std::uint64_t convex_outside = 0;  ///< of these parts, convex ones
   std::uint64_t general_clips = 0;   ///< clips of contours of any form
   std::uint64_t signs = 0;           ///< signs of corners against lines in clips
-  void operator+=(const PolygonCounts& o);
+  void operator+=(const PolygonCounts& o) {
+    const std::uint64_t most = std::max(deepest, o.deepest);
+    add_counts(*this, o);
+    deepest = most;
+  }
 };
 
 }  // namespace ligne::atherton_weiler

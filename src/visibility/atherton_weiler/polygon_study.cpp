@@ -23,7 +23,6 @@
 #include "base/parallel.hpp"
 #include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "visibility/atherton_weiler/clip_units.hpp"
-#include "visibility/atherton_weiler/polygon_clip.hpp"
 #include "visibility/atherton_weiler/zones.hpp"
 #include "visibility/polygons/clip_part.hpp"
 #include "visibility/polygons/facet_order.hpp"
@@ -330,30 +329,6 @@ void add_all(const Lattice& lattice, const std::vector<Facet>& facets, std::vect
 }
 
 }  // namespace
-
-void PolygonCounts::operator+=(const PolygonCounts& o) {
-  zones += o.zones;
-  slabs += o.slabs;
-  bodies += o.bodies;
-  considered += o.considered;
-  clips += o.clips;
-  empty_clips += o.empty_clips;
-  wrong_sorts += o.wrong_sorts;
-  splits += o.splits;
-  deepest = std::max(deepest, o.deepest);
-  exchanges += o.exchanges;
-  zone_tests += o.zone_tests;
-  pair_tests += o.pair_tests;
-  told_apart += o.told_apart;
-  test_signs += o.test_signs;
-  convex_pairs += o.convex_pairs;
-  convex_apart += o.convex_apart;
-  convex_within += o.convex_within;
-  parts_outside += o.parts_outside;
-  convex_outside += o.convex_outside;
-  general_clips += o.general_clips;
-  signs += o.signs;
-}
 
 VisibleFaces study_polygons(const ProjectedScene& scene, const std::vector<Facet>& facets, const PolygonOptions& options,
                             const std::function<void(double)>& progress, PolygonCounts& counts) {

@@ -3,28 +3,11 @@
 #include <algorithm>
 
 #include "geometry/connected_boxes.hpp"
+#include "geometry/convex_hull.hpp"
 #include "geometry/polygons/clip_contour_by_contour.hpp"
 
 namespace ligne::atherton_weiler {
 namespace {
-
-/// The corners of the convex hull of the points, turning positively. Monotone chains: O(n log n).
-std::vector<LatticePoint> hull_of(std::vector<LatticePoint> points) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  std::vector<LatticePoint> hull;
-  for (int half = 0; half < 2; ++half) {
-    const std::size_t base = hull.size();
-    for (const LatticePoint p : points) {
-      while (hull.size() >= base + 2 && orientation(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
-      hull.push_back(p);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
 
 /// Whether an edge of the first hull has the whole second hull outside or on its line.
 bool separates(const std::vector<LatticePoint>& hull, const std::vector<LatticePoint>& other, std::uint64_t& signs) {
@@ -174,7 +157,7 @@ OverlapTests::OverlapTests(const ProjectedScene& scene, const std::vector<Facet>
         for (const std::uint32_t v : facets[f].v) points.push_back(scene.vertices[v].p);
       }
     }
-    hulls_.push_back(hull_of(points));
+    hulls_.push_back(convex_hull(points));
   }
 }
 

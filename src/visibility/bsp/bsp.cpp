@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/no_index.hpp"
 #include "base/stop.hpp"
 #include "files/bytes.hpp"
-#include "visibility/order/dividing_plane.hpp"
 
 namespace ligne {
 

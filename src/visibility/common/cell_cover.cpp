@@ -1,11 +1,7 @@
 #include "visibility/common/cell_cover.hpp"
 
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <utility>
-
-#include "base/no_index.hpp"
 
 namespace ligne {
 namespace {

@@ -1,6 +1,5 @@
 #include "visibility/common/cell_grid.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <tuple>
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "visibility/common/facet_functions.hpp"
-
 namespace ligne {
 namespace {
 

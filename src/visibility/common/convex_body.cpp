@@ -1,13 +1,13 @@
 #include "visibility/common/convex_body.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
+#include "geometry/convex_hull.hpp"
 #include "visibility/common/facet.hpp"
 
 namespace ligne::convexity {
@@ -85,22 +85,6 @@ std::array<double, 2> hull_of(const ProjectedScene& scene) {
 }
 
 }  // namespace
-
-std::vector<LatticePoint> convex_hull(std::vector<LatticePoint> points) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  std::vector<LatticePoint> hull;
-  for (int half = 0; half < 2; ++half) {
-    const std::size_t begin = hull.size();
-    for (const LatticePoint p : points) {
-      while (hull.size() >= begin + 2 && orientation(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
-      hull.push_back(p);
-    }
-    if (!hull.empty()) hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
 
 std::array<double, 2> area_and_border(const std::vector<LatticePoint>& hull) {
   double area = 0, border = 0;

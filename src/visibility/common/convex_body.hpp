@@ -20,10 +20,6 @@ struct Faces {
   std::size_t front = 0, back = 0, edge_on = 0;
 };
 
-/// Corners of the convex hull, positively turned, without points inside a side. Fewer than three if the points lie on a
-/// line. Monotone chains [Andrew1979] with exact signs, O(n log n).
-std::vector<LatticePoint> convex_hull(std::vector<LatticePoint> points);
-
 /// Twice the area of a convex contour, and the length of its border as the sum of |dx| + |dy|.
 std::array<double, 2> area_and_border(const std::vector<LatticePoint>& hull);
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "visibility/common/cell_grid.hpp"
-#include "visibility/common/facet_functions.hpp"
+#include "visibility/common/facet.hpp"
 
 namespace ligne {
 

@@ -9,16 +9,10 @@
 #include "visibility/convex_tree/convex_tree.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <numeric>
 #include <optional>
-#include <utility>
-#include <vector>
 
-#include "base/no_index.hpp"
 #include "files/bytes.hpp"
-#include "visibility/order/dividing_plane.hpp"
-#include "visibility/order/model_pieces.hpp"
 
 namespace ligne {
 namespace {

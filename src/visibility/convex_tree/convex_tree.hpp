@@ -10,7 +10,6 @@
 
 #include "base/no_index.hpp"
 #include "visibility/method.hpp"
-#include "visibility/order/dividing_plane.hpp"
 #include "visibility/order/model_pieces.hpp"
 #include "visibility/order/partition_lines.hpp"
 #include "visibility/order/tree_visibility.hpp"

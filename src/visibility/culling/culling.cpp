@@ -1,10 +1,9 @@
-#include "visibility/culling/culling.hpp"
-
 #include "base/no_index.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/common/convex_body.hpp"
 #include "visibility/edges/line_strokes.hpp"
+#include "visibility/methods.hpp"
 
 // Phases: (1) sort faces by the sign of their area on the page, (2) check that the scene is one convex body, (3) draw
 // edges with a front face. See docs/methods/culling.md.
@@ -26,23 +25,7 @@ void visible_of_free_line(const PageLine& line, const std::vector<Facet>& front,
   if (!open.empty()) parts = open.finish();
 }
 
-}  // namespace
-
-const MethodTraits& CullingMethod::traits() const {
-  static const MethodTraits traits{
-      "culling",
-      "edges of front faces: sufficient for one convex body",
-      kStrokes,
-      true,
-      false,
-      "P. Boulle, Etude et realisation d'algorithmes pour la visualisation de scenes composees de facettes planes, 1980",
-      MethodTraits{}.tolerance_mm,
-      {},
-      "one opaque convex body entirely in view"};
-  return traits;
-}
-
-VisibilityResult CullingMethod::compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const {
+VisibilityResult culling_visibility(const ProjectedScene& scene, const VisibilityOptions& options) {
   VisibilityResult result;
   Statistics& statistics = result.statistics;
   const double step = scene.lattice.step_mm;
@@ -85,6 +68,23 @@ VisibilityResult CullingMethod::compute_visibility(const ProjectedScene& scene, 
   statistics.count("candidate edges", scene.edges.size());
   statistics.count("strokes", result.strokes->strokes.size());
   return result;
+}
+
+}  // namespace
+
+const Method& culling_method() {
+  static const FunctionMethod method(
+      {"culling",
+       "edges of front faces: sufficient for one convex body",
+       kStrokes,
+       true,
+       false,
+       "P. Boulle, Etude et realisation d'algorithmes pour la visualisation de scenes composees de facettes planes, 1980",
+       MethodTraits{}.tolerance_mm,
+       {},
+       "one opaque convex body entirely in view"},
+      culling_visibility);
+  return method;
 }
 
 }  // namespace ligne

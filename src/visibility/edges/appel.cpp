@@ -1,5 +1,3 @@
-#include "visibility/edges/appel.hpp"
-
 #include <optional>
 
 #include "view/tolerances.hpp"
@@ -9,6 +7,7 @@
 #include "visibility/edges/line_strokes.hpp"
 #include "visibility/edges/propagation.hpp"
 #include "visibility/method.hpp"
+#include "visibility/methods.hpp"
 #include "visibility/penetration/intersections.hpp"
 
 namespace ligne {
@@ -107,23 +106,7 @@ constexpr MethodParameter kParameters[] = {
          "off", kCarriedNames}),
 };
 
-}  // namespace
-
-const MethodTraits& AppelMethod::traits() const {
-  static const MethodTraits traits{
-      "appel",
-      "each edge tested against the faces that can hide it, by exact intervals; the default for line drawings",
-      kStrokes,
-      true,
-      true,
-      "A. Appel, The notion of quantitative invisibility, 1967; R. Galimberti, U. Montanari, An algorithm for hidden line "
-      "elimination, 1969",
-      MethodTraits{}.tolerance_mm,
-      kParameters};
-  return traits;
-}
-
-VisibilityResult AppelMethod::compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const {
+VisibilityResult appel_visibility(const ProjectedScene& scene, const VisibilityOptions& options) {
   switch (options.settings.choice("propagate", Carried::off)) {
     case Carried::off:
       break;
@@ -137,6 +120,19 @@ VisibilityResult AppelMethod::compute_visibility(const ProjectedScene& scene, co
       return counted_visibility(scene, options, Propagation::path);
   }
   return edge_visibility(scene, options);
+}
+
+}  // namespace
+
+const Method& appel_method() {
+  static const FunctionMethod method(
+      {"appel", "each edge tested against the faces that can hide it, by exact intervals; the default for line drawings",
+       kStrokes, true, true,
+       "A. Appel, The notion of quantitative invisibility, 1967; R. Galimberti, U. Montanari, An algorithm for hidden line "
+       "elimination, 1969",
+       MethodTraits{}.tolerance_mm, kParameters},
+      appel_visibility);
+  return method;
 }
 
 }  // namespace ligne

@@ -1,14 +1,11 @@
 #include "visibility/edges/edge_visibility.hpp"
 
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "view/tolerances.hpp"
-#include "visibility/common/cell_grid.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/edges/line_strokes.hpp"
-#include "visibility/edges/transparent_lines.hpp"
 #include "visibility/edges/visible_parts.hpp"
 #include "visibility/penetration/intersections.hpp"
 #include "visibility/penetration/joined_facets.hpp"

@@ -6,9 +6,8 @@
 #include <limits>
 #include <span>
 
-#include "base/no_index.hpp"
+#include "base/keyed_lists.hpp"
 #include "base/parallel.hpp"
-#include "visibility/common/facet_functions.hpp"
 
 namespace ligne {
 namespace {
@@ -70,14 +69,11 @@ class LineGrid {
     const double width = double(all_.right) - all_.left + 1, height = double(all_.bottom) - all_.top + 1;
     size_ = std::ceil(std::max(width, height) / kMostCells);
     columns_ = static_cast<int>(width / size_) + 1;
-    begin_.assign(static_cast<std::size_t>(columns_) * (static_cast<std::size_t>(height / size_) + 1) + 1, 0);
-    for (const LineOnPage& line : lines) for_cells_of(line, [&](std::size_t cell) { ++begin_[cell + 1]; });
-    for (std::size_t c = 1; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    list_.resize(begin_.back());
-    for (std::uint32_t i = 0; i < lines.size(); ++i) {
-      for_cells_of(lines[i], [&](std::size_t cell) { list_[next[cell]++] = i; });
-    }
+    cells_ = {static_cast<std::size_t>(columns_) * (static_cast<std::size_t>(height / size_) + 1), [&](const auto& put) {
+                for (std::uint32_t i = 0; i < lines.size(); ++i) {
+                  for_cells_of(lines[i], [&](std::size_t cell) { put(cell, i); });
+                }
+              }};
   }
 
   /// Calls visit(line) for the lines that may run through the box, some more than once.
@@ -85,8 +81,8 @@ class LineGrid {
   void near(const LineBox& box, Visit visit) const {
     if (!box.meets(all_)) return;
     for_cells(box, [&](std::size_t cell) {
-      for (std::uint32_t k = begin_[cell]; k < begin_[cell + 1]; ++k) {
-        if (boxes_[list_[k]].meets(box)) visit(list_[k]);
+      for (const std::uint32_t line : cells_[cell]) {
+        if (boxes_[line].meets(box)) visit(line);
       }
     });
   }
@@ -131,7 +127,7 @@ class LineGrid {
   LineBox all_;
   double size_ = 1;
   int columns_ = 1;
-  std::vector<std::uint32_t> begin_, list_;
+  KeyedLists<std::uint32_t> cells_;
 };
 
 /// The covers of all lines, by line. The tasks skip facets behind one that covers a whole line, but which ones they
@@ -140,7 +136,7 @@ class Covers {
  public:
   Covers(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
          const std::vector<LineOnPage>& lines, bool any_facet)
-      : facets_(facets), depths_(lines.size()), begin_(lines.size() + 1, 0) {
+      : facets_(facets), depths_(lines.size()) {
     for (auto& depth : depths_) depth.store(kFarthest, std::memory_order_relaxed);
     const LineGrid grid(lines);
     std::vector<std::vector<Cover>> found((facets.size() + kFacetsPerTask - 1) / kFacetsPerTask);
@@ -161,22 +157,16 @@ class Covers {
         });
       }
     });
-    for (const std::vector<Cover>& some : found) {
-      for (const Cover& c : some) begin_[c.line + 1] += kept(c);
-    }
-    for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-    covers_.resize(begin_.back());
-    for (const std::vector<Cover>& some : found) {
-      for (const Cover& c : some) {
-        if (kept(c)) covers_[next[c.line]++] = c;
-      }
-    }
+    covers_ = {lines.size(), [&](const auto& put) {
+                 for (const std::vector<Cover>& some : found) {
+                   for (const Cover& c : some) {
+                     if (kept(c)) put(c.line, c);
+                   }
+                 }
+               }};
   }
 
-  std::span<const Cover> of(std::size_t line) const {
-    return {covers_.data() + begin_[line], covers_.data() + begin_[line + 1]};
-  }
+  std::span<const Cover> of(std::size_t line) const { return covers_[line]; }
   bool hides_all(std::size_t line) const { return depths_[line].load(std::memory_order_relaxed) == kNearest; }
 
  private:
@@ -189,8 +179,7 @@ class Covers {
 
   const std::vector<Facet>& facets_;
   std::vector<std::atomic<float>> depths_;  ///< per line: depth behind which everything is hidden
-  std::vector<std::uint32_t> begin_;
-  std::vector<Cover> covers_;
+  KeyedLists<Cover> covers_;
 };
 
 void append(std::vector<SeenStretch>& stretches, double from, double to, std::uint32_t facet) {

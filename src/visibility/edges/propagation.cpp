@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include "base/keyed_lists.hpp"
 #include "base/no_index.hpp"
 
 namespace ligne {
@@ -94,7 +95,7 @@ class Propagator {
   std::vector<SurfaceSide> sides_;
   BoxForest side_forest_;
   std::uint32_t side_root_ = 0;
-  std::vector<std::uint32_t> edge_begin_, edges_of_;    ///< candidate edges by vertex
+  KeyedLists<std::uint32_t> edges_of_;                  ///< candidate edges by vertex
   std::vector<std::optional<Invisibility>> at_vertex_;  ///< not counting the faces at the vertex
   std::deque<std::uint32_t> open_;                      ///< vertices whose edges are to be followed
   std::vector<std::uint8_t> done_;
@@ -140,18 +141,12 @@ void Propagator::find_sides() {
 }
 
 void Propagator::find_edges_of_vertices() {
-  edge_begin_.assign(scene_.vertices.size() + 1, 0);
-  for (const ProjectedEdge& e : scene_.edges) {
-    ++edge_begin_[e.v0 + 1];
-    ++edge_begin_[e.v1 + 1];
-  }
-  std::partial_sum(edge_begin_.begin(), edge_begin_.end(), edge_begin_.begin());
-  std::vector<std::uint32_t> next(edge_begin_.begin(), edge_begin_.end() - 1);
-  edges_of_.resize(edge_begin_.back());
-  for (std::uint32_t e = 0; e < scene_.edges.size(); ++e) {
-    edges_of_[next[scene_.edges[e].v0]++] = e;
-    edges_of_[next[scene_.edges[e].v1]++] = e;
-  }
+  edges_of_ = {scene_.vertices.size(), [this](const auto& put) {
+                 for (std::uint32_t e = 0; e < scene_.edges.size(); ++e) {
+                   put(scene_.edges[e].v0, e);
+                   put(scene_.edges[e].v1, e);
+                 }
+               }};
 }
 
 /// The order in which edges may become starts; for paths, the edges with the nearest vertex come first.
@@ -206,8 +201,7 @@ void Propagator::start_at(std::uint32_t edge) {
 
 /// Carries the faces in front of the vertex along its edges.
 void Propagator::follow(std::uint32_t vertex) {
-  for (std::uint32_t i = edge_begin_[vertex]; i < edge_begin_[vertex + 1]; ++i) {
-    const std::uint32_t edge = edges_of_[i];
+  for (const std::uint32_t edge : edges_of_[vertex]) {
     if (done_[edge]) continue;
     const PageLine line = line_of(edge);
     const bool is_seen_end_on = line.p0 == line.p1;

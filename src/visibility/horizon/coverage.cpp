@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "visibility/horizon/level.hpp"
-
 namespace ligne::horizon {
 namespace {
 

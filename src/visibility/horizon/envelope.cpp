@@ -1,10 +1,7 @@
 #include "visibility/horizon/envelope.hpp"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
-
-#include "visibility/horizon/level.hpp"
 
 namespace ligne::horizon {
 ExactEnvelope::ExactEnvelope(double u_min, double u_max, std::size_t cells)

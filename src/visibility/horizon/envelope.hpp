@@ -10,6 +10,13 @@
 
 namespace ligne::horizon {
 
+/// Length on the u axis below which a part is only rounding, as a part of the picture's width.
+inline constexpr double kLeastPart = 0x1p-42;
+
+/// Difference between level heights, as a part of the picture's size: a height carries a dozen roundings. Heights of
+/// one line at two places that are nearer to each other than this are level, too.
+inline constexpr double kLevelPart = 0x1p-44;
+
 /// A line over u, from its left to its right end: u0 < u1.
 struct Line {
   double u0, v0, u1, v1;

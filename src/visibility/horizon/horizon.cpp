@@ -1,16 +1,251 @@
 #include "visibility/horizon/horizon.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
+#include "base/parallel.hpp"
 #include "scene/surfaces/height_filters.hpp"
 #include "view/tolerances.hpp"
-#include "visibility/horizon/part_sweep.hpp"
+#include "visibility/horizon/coverage.hpp"
+#include "visibility/horizon/edges.hpp"
+#include "visibility/horizon/envelope.hpp"
+#include "visibility/horizon/part_edges.hpp"
+#include "visibility/horizon/part_lines.hpp"
+#include "visibility/horizon/plane_projection.hpp"
 
 namespace ligne {
 namespace horizon {
 namespace {
+
+/// An upper and a lower horizon, functions of u: for surfaces without holes.
+template <class Envelope>
+class TwoHorizons {
+ public:
+  static constexpr bool kCovers = false;
+
+  TwoHorizons(const Columns& columns, ColumnRange own) : upper_(columns, own), lower_(columns, own) {}
+
+  /// Finds the visible parts of an edge over the band's own columns, as spans of its line, separately above the upper
+  /// and below the lower horizon. For an upright line it returns whether a side is open: it has no horizon, or was not
+  /// tested.
+  bool find_seen(const HorizonEdge& edge, std::vector<Span>& above, std::vector<Span>& below) {
+    const PlaneSegment& segment = edge.line;
+    if (segment.upright()) return find_seen_upright(edge, above);
+    if (edge.against != HorizonSide::lower) upper_.find_above(segment.line(), above);
+    if (edge.against == HorizonSide::lower) lower_.find_above(segment.upside_down(), above);
+    if (edge.against == HorizonSide::both) lower_.find_above(segment.upside_down(), below);
+    return true;
+  }
+
+  /// Adds the edge to the horizons that it raises.
+  void raise(const HorizonEdge& edge) {
+    if (edge.line.upright()) return;
+    raised_.clear();
+    if (edge.upper) upper_.raise(edge.line.line(), raised_);
+    if (edge.lower) lower_.raise(edge.line.upside_down(), raised_);
+  }
+
+  /// Largest gap over which spans of two bands are joined.
+  double least() const { return upper_.least(); }
+
+ private:
+  bool find_seen_upright(const HorizonEdge& edge, std::vector<Span>& seen) {
+    const Line& line = edge.line.line();
+    const LineSides sides = edge.sides;
+    // The surface passes through the line's nearer end on both sides.
+    const double u = line.u0, nearest = edge.line.height_of_start();
+    double high = upper_.height(u), low = -lower_.height(u);
+    bool open = true;
+    if (sides == LineSides::both) {
+      high = std::min(upper_.height_beside(u, -1), upper_.height_beside(u, 1));
+      low = -std::min(lower_.height_beside(u, -1), lower_.height_beside(u, 1));
+      open = high == kNothing || low == -kNothing;
+    } else if (sides != LineSides::none) {
+      const int side = sides == LineSides::left ? -1 : 1;
+      high = upper_.height_beside(u, side);
+      low = -lower_.height_beside(u, side);
+    }
+    if (sides != LineSides::none) {
+      high = std::max(high, nearest);
+      low = std::min(low, nearest);
+    }
+    if (!(line.v0 < line.v1)) return open;
+    if (sides == LineSides::none && edge.against == HorizonSide::upper) low = kNothing;
+    if (!(high >= low)) {  // there is no horizon here yet
+      seen.push_back({line.v0, line.v1});
+      return open;
+    }
+    if (line.v0 < low) seen.push_back({line.v0, std::min(low, line.v1)});
+    if (high < line.v1) seen.push_back({std::max(high, line.v0), line.v1});
+    return open;
+  }
+
+  Envelope upper_, lower_;
+  std::vector<Span> raised_;  ///< scratch
+};
+
+/// A horizon that is not a function of u: for surfaces with holes.
+class GeneralHorizon {
+ public:
+  static constexpr bool kCovers = true;
+
+  GeneralHorizon(const Columns& columns, ColumnRange own) : coverage_(columns, own) {}
+
+  bool find_seen(const HorizonEdge& edge, std::vector<Span>& seen, std::vector<Span>&) {
+    const Line& line = edge.line.line();
+    if (!edge.line.upright()) {
+      coverage_.find_uncovered(line, seen);
+    } else if (line.v0 < line.v1) {
+      find_seen_upright(line, edge.sides, seen);
+    }
+    return true;
+  }
+
+  void cover(const PlaneTriangle& triangle) {
+    const auto& [a, b, c] = triangle;
+    coverage_.cover({{{a.u(), a.v()}, {b.u(), b.v()}, {c.u(), c.v()}}});
+  }
+
+  double least() const { return coverage_.least(); }
+
+ private:
+  void find_seen_upright(const Line& line, LineSides sides, std::vector<Span>& seen) {
+    std::array<std::vector<Span>, 2> covered;  // left, right
+    for (const int k : {0, 1}) {
+      if (sides != (k == 0 ? LineSides::right : LineSides::left))
+        coverage_.find_covered_beside(line.u0, line.v0, line.v1, k == 0 ? -1 : 1, covered[k]);
+    }
+    std::vector<Span> hidden;
+    if (sides == LineSides::left || sides == LineSides::right) {
+      hidden = covered[sides == LineSides::left ? 0 : 1];
+    } else {
+      for (const Span& a : covered[0]) {
+        for (const Span& b : covered[1]) {
+          const Span both{std::max(a.from, b.from), std::min(a.to, b.to)};
+          if (both.from < both.to) hidden.push_back(both);
+        }
+      }
+    }
+    Coverage::append_uncovered(line.v0, line.v1, coverage_.least(), hidden, seen);
+  }
+
+  Coverage coverage_;
+};
+
+/// Horizons of bands of columns, which work in parallel. A band uses only the part of an edge over its columns, so no
+/// band waits for another. All bands take the edges in the same order.
+
+template <class Horizon>
+class HidingBands {
+ public:
+  explicit HidingBands(const Bands& bands) {
+    for (std::size_t b = 0; b < bands.size(); ++b) bands_.push_back({Horizon(bands.columns(), bands.of_band(b)), {}, {}});
+  }
+
+  /// Finds the visible parts of the edges of the lists, in order.
+  void take(std::vector<EdgeList>& lists) {
+    parallel_tasks(bands_.size(), [&](std::size_t b) {
+      for (EdgeList& list : lists) take(list, b);
+    });
+  }
+
+  /// Largest gap over which spans of two bands are joined.
+  double least() const { return bands_.front().horizon.least(); }
+
+ private:
+  struct Band {
+    Horizon horizon;
+    std::vector<Span> above, below;  ///< scratch
+  };
+
+  void take(EdgeList& list, std::size_t b) {
+    Band& band = bands_[b];
+    for (const std::uint32_t number : list.of_band[b]) {
+      if constexpr (Horizon::kCovers) {
+        if (number & EdgeList::kTriangle) {
+          band.horizon.cover(list.triangles[number & ~EdgeList::kTriangle]);
+          continue;
+        }
+      }
+      HorizonEdge& edge = list.edges[number];
+      if (edge.is_tested() && edge.first_band <= b && b <= edge.last_band) {
+        band.above.clear();
+        band.below.clear();
+        const bool open = band.horizon.find_seen(edge, band.above, band.below);
+        if (edge.line.upright()) edge.open = open;  // an upright line lies in one band
+        for (const Span& span : band.above) list.seen[b].push_back({number, false, span});
+        for (const Span& span : band.below) list.seen[b].push_back({number, true, span});
+      }
+      if constexpr (!Horizon::kCovers) {
+        if (edge.upper || edge.lower) band.horizon.raise(edge);
+      }
+    }
+  }
+
+  std::vector<Band> bands_;
+};
+
+template <class Horizon>
+class PartSweep {
+ public:
+  PartSweep(const GridPart& grid, const View& view, const HorizonOptions& options, const Columns& columns, LineStore& store)
+      : grid_(grid),
+        eye_(view, PlaneProjection(view.camera, grid.columns.sign, grid.rows.sign)),
+        bands_(columns),
+        edges_(grid, view, options, eye_, bands_, Horizon::kCovers),
+        hiding_(bands_),
+        lines_(eye_, columns, hiding_.least(), store),
+        store_(store) {}
+
+  /// Calls progress(rows done). Returns the number of tested edges of the surface.
+  template <class Progress>
+  std::size_t run(Progress progress) {
+    std::size_t tested = 0;
+    std::vector<EdgeList> lists;
+    share_lines_ahead([](std::vector<Span>& here, std::vector<Span>& shared) { here = std::move(shared); });
+    while (const std::size_t rows = edges_.next(lists)) {
+      hiding_.take(lists);
+      for (EdgeList& list : lists) {
+        lines_.add(list);
+        tested += list.tested;
+      }
+      progress(rows);
+    }
+    for (CurveTracker& curve : edges_.column_curves()) curve.end();
+    lists.resize(1);
+    edges_.add_back_lines(lists.front());
+    hiding_.take(lists);
+    lines_.add(lists.front());
+    share_lines_ahead([](std::vector<Span>& here, std::vector<Span>& shared) { shared = std::move(here); });
+    return tested;
+  }
+
+ private:
+  /// Calls share(spans drawn here, spans of all parts) for the curves straight in front of the eye. Each part tests one
+  /// side of these curves; on them v has the same value for both parts.
+  template <class Share>
+  void share_lines_ahead(Share share) {
+    const GridAxis::Part &columns = grid_.columns, &rows = grid_.rows;
+    const auto at = [&](std::size_t column, std::size_t row) {
+      return eye_.sample(grid_.placed(grid_.x.at[columns.order[column]], grid_.y.at[rows.order[row]], 0)).seen.u();
+    };
+    UprightLines& lines = lines_.upright_lines();
+    if (columns.begin > 0)
+      share(lines.drawn_at(at(columns.begin, rows.order.size() - 1)), store_.column_ahead[rows.sign > 0]);
+    if (rows.begin > 0) share(lines.drawn_at(at(columns.order.size() - 1, rows.begin)), store_.row_ahead[columns.sign > 0]);
+  }
+
+  GridPart grid_;
+  Eye eye_;
+  Bands bands_;
+  PartEdges edges_;
+  HidingBands<Horizon> hiding_;
+  PartLines lines_;
+  LineStore& store_;
+};
 
 /// Extent of the grid across the picture.
 std::pair<double, double> u_range(const Camera& camera, const PlaneProjection& projection, const GridAxis& x,

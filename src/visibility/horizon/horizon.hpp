@@ -13,7 +13,7 @@
 #include "drawing/statistics.hpp"
 #include "scene/surfaces/height_source.hpp"
 #include "view/view.hpp"
-#include "visibility/horizon/plane_segment.hpp"
+#include "visibility/horizon/plane_projection.hpp"
 
 namespace ligne {
 

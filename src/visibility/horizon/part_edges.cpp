@@ -1,7 +1,5 @@
 #include "visibility/horizon/part_edges.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/parallel.hpp"

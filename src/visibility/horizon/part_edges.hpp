@@ -25,9 +25,9 @@
 #include <vector>
 
 #include "visibility/horizon/edges.hpp"
+#include "visibility/horizon/envelope.hpp"
 #include "visibility/horizon/grid_axis.hpp"
 #include "visibility/horizon/horizon.hpp"
-#include "visibility/horizon/level.hpp"
 #include "visibility/horizon/plane_projection.hpp"
 
 namespace ligne::horizon {

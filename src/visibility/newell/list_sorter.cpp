@@ -1,12 +1,10 @@
 #include "visibility/newell/list_sorter.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <functional>
 #include <iterator>
 #include <utility>
 
-#include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "base/stop.hpp"
 

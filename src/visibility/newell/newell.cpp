@@ -1,5 +1,3 @@
-#include "visibility/newell/newell.hpp"
-
 #include <cmath>
 #include <utility>
 
@@ -8,8 +6,8 @@
 
 #include "visibility/common/clock.hpp"
 #include "visibility/edges/edge_visibility.hpp"
+#include "visibility/methods.hpp"
 #include "visibility/newell/priority_list.hpp"
-#include "visibility/order/order_numbers.hpp"
 #include "visibility/order/paint_pieces.hpp"
 
 // Phases: (1) elements: faces with their extents and planes, (2) the priority list, (3) every edge against the faces with
@@ -94,25 +92,7 @@ void report(const ListCounts& counts, Statistics& statistics) {
   statistics.count("cuts on the page", counts.page_cuts);
 }
 
-}  // namespace
-
-const MethodTraits& NewellMethod::traits() const {
-  static const MethodTraits traits{
-      "newell",
-      "a list of faces sorted by depth, then checked and corrected pair by pair; faces that have no order are cut",
-      kStrokes | kRegions | kOrder,
-      true,
-      true,
-      "M. Newell, R. Newell, T. Sancha, A solution to the hidden surface problem, 1972",
-      MethodTraits{}.tolerance_mm,
-      kParameters,
-      {},
-      false,
-      TransparencyMode::seen_through};
-  return traits;
-}
-
-VisibilityResult NewellMethod::compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const {
+VisibilityResult newell_visibility(const ProjectedScene& scene, const VisibilityOptions& options) {
   Clock clock;
   const auto* kept = dynamic_cast<const KeptList*>(options.earlier);
   const bool takes_over = kept && kept->serves(scene.view.camera);
@@ -170,6 +150,25 @@ VisibilityResult NewellMethod::compute_visibility(const ProjectedScene& scene, c
   statistics.count("final elements", farthest_first.size());
   report(list.counts(), statistics);
   return result;
+}
+
+}  // namespace
+
+const Method& newell_method() {
+  static const FunctionMethod method(
+      {"newell",
+       "a list of faces sorted by depth, then checked and corrected pair by pair; faces that have no order are cut",
+       kStrokes | kRegions | kOrder,
+       true,
+       true,
+       "M. Newell, R. Newell, T. Sancha, A solution to the hidden surface problem, 1972",
+       MethodTraits{}.tolerance_mm,
+       kParameters,
+       {},
+       false,
+       TransparencyMode::seen_through},
+      newell_visibility);
+  return method;
 }
 
 }  // namespace ligne

@@ -1,15 +1,14 @@
 #include "visibility/newell/paint_elements.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
 #include "base/stop.hpp"
+#include "geometry/convex_hull.hpp"
 #include "scene/model/face_shape.hpp"
 #include "visibility/newell/separated_cells.hpp"
-#include "visibility/order/paint_pieces.hpp"
 
 namespace ligne::newell {
 namespace {
@@ -132,7 +131,7 @@ void PaintElements::make_whole_bodies() {
       }
       whole.members.push_back(faces[m]);
     }
-    whole.silhouette = convex_hull(std::move(points));
+    whole.silhouette = convex_hull(std::move(points), [](Point2 a, Point2 b, Point2 c) { return cross(b - a, c - b); });
     body.body = static_cast<std::uint32_t>(whole_.size());
     whole_.push_back(std::move(whole));
     append(std::move(body));

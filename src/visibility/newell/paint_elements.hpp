@@ -11,7 +11,6 @@
 #include "view/clip.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/newell/convex_bodies.hpp"
-#include "visibility/newell/element.hpp"
 #include "visibility/order/model_pieces.hpp"
 #include "visibility/order/paint_pieces.hpp"
 

@@ -4,7 +4,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <span>
 #include <utility>
 
 #include "base/parallel.hpp"

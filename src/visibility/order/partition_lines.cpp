@@ -5,7 +5,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "base/no_index.hpp"
 #include "view/clip.hpp"
 
 namespace ligne {

@@ -8,8 +8,7 @@
 #include "visibility/common/clock.hpp"
 #include "visibility/edges/edge_visibility.hpp"
 #include "visibility/method.hpp"
-#include "visibility/order/dividing_plane.hpp"
-#include "visibility/order/order_numbers.hpp"
+#include "visibility/order/model_pieces.hpp"
 #include "visibility/order/paint_pieces.hpp"
 #include "visibility/order/partition_lines.hpp"
 

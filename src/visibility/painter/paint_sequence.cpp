@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <tuple>
 
+#include "base/keyed_lists.hpp"
 #include "base/parallel.hpp"
 #include "base/stop.hpp"
 #include "visibility/polygons/facet_order.hpp"
@@ -136,20 +136,18 @@ void resolve(const ProjectedScene& scene, const std::vector<Facet>& facets, cons
     by_depths[i] = a.farthest < b.nearest || b.farthest < a.nearest;
     known[i] = static_cast<std::int8_t>(by_depths[i] ? (a.farthest < b.nearest ? 1 : -1) : in_front(scene, facets, a, b));
   });
-  std::vector<std::uint32_t> first(faces.size() + 1, 0), waits_for(faces.size(), 0);
+  std::vector<std::uint32_t> waits_for(faces.size(), 0);
   const auto behind = [&](std::size_t i) { return known[i] > 0 ? pairs[i].b : pairs[i].a; };
   const auto before = [&](std::size_t i) { return known[i] > 0 ? pairs[i].a : pairs[i].b; };
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     ++(by_depths[i] ? sequence.by_depths : known[i] != 0 ? sequence.by_planes : sequence.left);
-    if (known[i] == 0) continue;
-    ++first[behind(i) + 1];
-    ++waits_for[before(i)];
+    if (known[i] != 0) ++waits_for[before(i)];
   }
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<std::uint32_t> next(first.begin(), first.end() - 1), later(first.back());
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (known[i] != 0) later[next[behind(i)]++] = before(i);
-  }
+  const KeyedLists<std::uint32_t> later(faces.size(), [&](const auto& put) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (known[i] != 0) put(behind(i), before(i));
+    }
+  });
   std::vector<std::uint32_t> rank(faces.size(), 0);
   for (std::uint32_t i = 0; i < sequence.faces.size(); ++i) rank[sequence.faces[i]] = i;
   const std::vector<std::uint32_t> sorted = std::move(sequence.faces);
@@ -172,8 +170,8 @@ void resolve(const ProjectedScene& scene, const std::vector<Facet>& facets, cons
     if (painted[f]) continue;
     painted[f] = 1;
     sequence.faces.push_back(f);
-    for (std::uint32_t i = first[f]; i < first[f + 1]; ++i) {
-      if (--waits_for[later[i]] == 0 && !painted[later[i]]) free.push(rank[later[i]]);
+    for (const std::uint32_t face : later[f]) {
+      if (--waits_for[face] == 0 && !painted[face]) free.push(rank[face]);
     }
   }
 }

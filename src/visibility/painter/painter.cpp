@@ -1,5 +1,3 @@
-#include "visibility/painter/painter.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,9 +5,10 @@
 
 #include "view/tolerances.hpp"
 #include "visibility/common/clock.hpp"
-#include "visibility/common/facet_functions.hpp"
+#include "visibility/common/facet.hpp"
 #include "visibility/edges/line_strokes.hpp"
-#include "visibility/order/order_numbers.hpp"
+#include "visibility/methods.hpp"
+#include "visibility/order/paint_pieces.hpp"
 #include "visibility/painter/paint_sequence.hpp"
 #include "visibility/raster/depth_buffer.hpp"
 
@@ -165,23 +164,7 @@ std::string why_wrong(const ProjectedScene& scene, const PaintSequence& s) {
   return text;
 }
 
-}  // namespace
-
-const MethodTraits& PainterMethod::traits() const {
-  static const MethodTraits traits{
-      "painter",
-      "faces sorted by depth and painted from the farthest to the nearest; none is cut",
-      kStrokes | kOrder | kPixels,
-      true,
-      false,
-      "M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the hidden surface problem, 1972 (its simple versions)",
-      MethodTraits{}.tolerance_mm,
-      kParameters,
-      "scenes whose faces the sort orders correctly"};
-  return traits;
-}
-
-VisibilityResult PainterMethod::compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const {
+VisibilityResult painter_visibility(const ProjectedScene& scene, const VisibilityOptions& options) {
   VisibilityResult result;
   Statistics& statistics = result.statistics;
   const double step = scene.lattice.step_mm;
@@ -236,6 +219,18 @@ VisibilityResult PainterMethod::compute_visibility(const ProjectedScene& scene, 
   statistics.count("candidate edges", scene.edges.size());
   statistics.count("strokes", result.strokes->strokes.size());
   return result;
+}
+
+}  // namespace
+
+const Method& painter_method() {
+  static const FunctionMethod method(
+      {"painter", "faces sorted by depth and painted from the farthest to the nearest; none is cut",
+       kStrokes | kOrder | kPixels, true, false,
+       "M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the hidden surface problem, 1972 (its simple versions)",
+       MethodTraits{}.tolerance_mm, kParameters, "scenes whose faces the sort orders correctly"},
+      painter_visibility);
+  return method;
 }
 
 }  // namespace ligne

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <compare>
 #include <optional>
 #include <tuple>
 #include <utility>
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "visibility/common/facet_functions.hpp"
 
 namespace ligne {
 namespace {

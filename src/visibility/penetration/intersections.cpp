@@ -10,7 +10,7 @@
 #include "base/hash.hpp"
 #include "base/parallel.hpp"
 #include "view/tolerances.hpp"
-#include "visibility/common/facet_functions.hpp"
+#include "visibility/common/facet.hpp"
 #include "visibility/common/occluder_cache.hpp"
 #include "visibility/penetration/facet_tree.hpp"
 #include "visibility/penetration/joined_facets.hpp"

@@ -10,7 +10,7 @@
 #include "base/large_vector.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "visibility/common/facet_functions.hpp"
+#include "visibility/common/facet.hpp"
 
 namespace ligne {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
+#include "base/keyed_lists.hpp"
 #include "base/parallel.hpp"
 
 namespace ligne {
@@ -139,20 +139,13 @@ bool CutSides::has(std::uint32_t face, std::uint32_t v, std::uint32_t w) const {
 void CutSides::find() const {
   std::uint32_t faces = 0;
   for (const Facet& f : *facets_) faces = std::max(faces, f.face + 1);
-  // Facets sorted by face.
-  std::vector<std::uint32_t> first(faces + std::size_t{1}, 0);
-  for (const Facet& f : *facets_) ++first[f.face + 1];
-  if (std::ranges::all_of(first, [](std::uint32_t count) { return count < 2; })) return;  // no face is cut
-  for (std::size_t face = 0; face < faces; ++face) first[face + 1] += first[face];
-  std::vector<std::uint32_t> next(first.begin(), first.end() - 1), by_face(facets_->size());
-  for (std::uint32_t i = 0; i < facets_->size(); ++i) by_face[next[(*facets_)[i].face]++] = i;
-
+  const auto by_face = numbers_by_key(faces, facets_->size(), [this](std::uint32_t i) { return (*facets_)[i].face; });
   std::vector<Side> sides;
   for (std::uint32_t face = 0; face < faces; ++face) {
-    if (first[face + 1] - first[face] < 2) continue;
+    if (by_face[face].size() < 2) continue;
     sides.clear();
-    for (std::uint32_t i = first[face]; i < first[face + 1]; ++i) {
-      const Facet& f = (*facets_)[by_face[i]];
+    for (const std::uint32_t i : by_face[face]) {
+      const Facet& f = (*facets_)[i];
       for (int k = 0; k < 3; ++k)
         sides.push_back({face, std::min(f.v[k], f.v[(k + 1) % 3]), std::max(f.v[k], f.v[(k + 1) % 3])});
     }

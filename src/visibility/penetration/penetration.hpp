@@ -5,7 +5,6 @@
 /// tolerance. "On" counts as above, so that a segment through a common corner of two facets is found once.
 
 #include <array>
-#include <compare>
 #include <cstdint>
 #include <memory>
 #include <mutex>

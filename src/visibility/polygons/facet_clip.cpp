@@ -11,7 +11,6 @@
 #include <limits>
 
 #include "base/hash.hpp"
-#include "base/no_index.hpp"
 
 namespace ligne {
 namespace {

@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "base/no_index.hpp"
 #include "geometry/polygons/edge_overlay.hpp"
 #include "visibility/polygons/clip_part.hpp"
 

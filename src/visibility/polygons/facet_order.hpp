@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "geometry/exact_segment.hpp"
-#include "visibility/common/depth_order.hpp"
 #include "visibility/common/facet.hpp"
 
 namespace ligne {

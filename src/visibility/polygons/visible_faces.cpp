@@ -5,6 +5,7 @@
 #include <optional>
 #include <tuple>
 
+#include "base/keyed_lists.hpp"
 #include "base/parallel.hpp"
 #include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "visibility/polygons/facet_order.hpp"
@@ -18,12 +19,7 @@ namespace ligne {
 namespace {
 
 /// Facets grouped by face, in the order of each face's first facet, so that neighbours on the page stay close.
-struct FacesOfFacets {
-  std::vector<std::uint32_t> facets;
-  std::vector<std::uint32_t> begin{0};
-};
-
-FacesOfFacets group(const std::vector<Facet>& facets) {
+KeyedLists<std::uint32_t> group(const std::vector<Facet>& facets) {
   std::uint32_t face_count = 0;
   for (const Facet& f : facets) face_count = std::max(face_count, f.face + 1);
   constexpr std::uint32_t kNew = 0xffffffffu;
@@ -32,14 +28,7 @@ FacesOfFacets group(const std::vector<Facet>& facets) {
   for (const Facet& f : facets) {
     if (number[f.face] == kNew) number[f.face] = groups++;
   }
-  FacesOfFacets result;
-  result.begin.assign(groups + 1, 0);
-  for (const Facet& f : facets) ++result.begin[number[f.face] + 1];
-  for (std::uint32_t g = 0; g < groups; ++g) result.begin[g + 1] += result.begin[g];
-  result.facets.resize(facets.size());
-  std::vector<std::uint32_t> next(result.begin.begin(), result.begin.end() - 1);
-  for (std::uint32_t i = 0; i < facets.size(); ++i) result.facets[next[number[facets[i].face]]++] = i;
-  return result;
+  return numbers_by_key(groups, facets.size(), [&](std::uint32_t i) { return number[facets[i].face]; });
 }
 
 /// Splits edges on one segment where other edges on it end, so that parts passed in both directions are equal pieces.
@@ -312,8 +301,8 @@ VisibleFaces find_visible_faces(const ProjectedScene& scene, const std::vector<F
   constexpr std::size_t kFacesPerTask = 256;
   VisibleFaces result;
   result.facet_touches.assign(facets.size(), 0);
-  const FacesOfFacets faces = group(facets);
-  const std::size_t n = faces.begin.size() - 1, tasks = (n + kFacesPerTask - 1) / kFacesPerTask;
+  const KeyedLists<std::uint32_t> faces = group(facets);
+  const std::size_t n = faces.size(), tasks = (n + kFacesPerTask - 1) / kFacesPerTask;
   std::vector<VisibleFaces> found(tasks);
   const std::vector<std::uint8_t> listed = grid.listed(facets.size());
   std::vector<std::optional<Worker>> workers(thread_count());
@@ -323,7 +312,7 @@ VisibleFaces find_visible_faces(const ProjectedScene& scene, const std::vector<F
     std::optional<Worker>& worker = workers[thread_index()];
     if (!worker) worker.emplace(scene, facets, grid, ranks, listed, result.facet_touches);
     for (std::size_t g = task * kFacesPerTask; g < std::min(n, (task + 1) * kFacesPerTask); ++g) {
-      worker->study(std::span(faces.facets).subspan(faces.begin[g], faces.begin[g + 1] - faces.begin[g]), found[task]);
+      worker->study(faces[g], found[task]);
     }
     if (progress) {
       const std::lock_guard lock(progress_mutex);

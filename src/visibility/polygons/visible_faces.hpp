@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "base/add_counts.hpp"
 #include "drawing/result_models.hpp"
 #include "visibility/common/cell_grid.hpp"
 #include "visibility/common/face_ranks.hpp"
@@ -28,15 +29,7 @@ struct StudyCounts {
   std::uint64_t clips = 0;        ///< clip faces laid over a subject
   std::uint64_t not_listed = 0;   ///< facets behind a cover everywhere
   std::uint64_t by_order = 0;     ///< pairs of facets that an order of the faces decides
-  void operator+=(const StudyCounts& o) {
-    compared += o.compared;
-    wrong_sorts += o.wrong_sorts;
-    cuts += o.cuts;
-    ties += o.ties;
-    clips += o.clips;
-    not_listed += o.not_listed;
-    by_order += o.by_order;
-  }
+  void operator+=(const StudyCounts& o) { add_counts(*this, o); }
 };
 
 struct VisibleFaces {

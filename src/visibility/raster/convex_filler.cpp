@@ -1,7 +1,5 @@
 #include "visibility/raster/convex_filler.hpp"
 
-#include <algorithm>
-
 #include "base/no_index.hpp"
 
 namespace ligne {

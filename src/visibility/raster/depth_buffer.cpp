@@ -1,11 +1,12 @@
 #include "visibility/raster/depth_buffer.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <span>
 #include <utility>
 
+#include "base/keyed_lists.hpp"
 #include "base/parallel.hpp"
-#include "visibility/common/face_triangles.hpp"
 #include "visibility/common/facet.hpp"
 #include "visibility/raster/convex_filler.hpp"
 #include "visibility/raster/scan_conversion.hpp"
@@ -15,6 +16,39 @@
 
 namespace ligne::zbuffer {
 namespace {
+
+/// The ends of a side, the lower number first.
+using Side = std::array<std::uint32_t, 2>;
+
+/// Appends the border sides of a face to `sides`: those that its triangles do not share. `all` is work space. O(n log
+/// n).
+void append_borders(std::span<const Triangle> triangles, std::vector<Side>& all, std::vector<Side>& sides) {
+  all.clear();
+  for (const Triangle& t : triangles) {
+    for (int k = 0; k < 3; ++k) all.push_back({std::min(t.v[k], t.v[(k + 1) % 3]), std::max(t.v[k], t.v[(k + 1) % 3])});
+  }
+  std::sort(all.begin(), all.end());
+  for (std::size_t i = 0; i < all.size();) {
+    std::size_t same = i;
+    while (same < all.size() && all[same] == all[i]) ++same;
+    if ((same - i) % 2 == 1) sides.push_back(all[i]);
+    i = same;
+  }
+}
+
+/// Sorts the triangles by face; unchanged if every face has one triangle. O(n).
+std::vector<Triangle> by_face(std::vector<Triangle> triangles) {
+  std::uint32_t faces = 0;
+  for (const Triangle& t : triangles) faces = std::max(faces, t.face + 1);
+  std::vector<std::uint32_t> next(std::size_t{faces} + 1, 0);
+  bool divided = false;
+  for (const Triangle& t : triangles) divided |= next[t.face + 1]++ > 0;
+  if (!divided) return triangles;  // as they lie on the page
+  for (std::uint32_t f = 0; f < faces; ++f) next[f + 1] += next[f];
+  std::vector<Triangle> sorted(triangles.size());
+  for (const Triangle& t : triangles) sorted[next[t.face]++] = t;
+  return sorted;
+}
 
 /// Rows of a band: few enough to stay in the cache while its faces are painted. Adjustable.
 constexpr std::uint32_t kBandRows = 16;
@@ -288,29 +322,6 @@ PaintCounts DepthBuffer::add_from(std::uint32_t begin, const ProjectedScene& sce
   return paint(scene, by_face(std::move(added)), filling, 0);
 }
 
-/// Numbers of the pieces that meet each band of rows; the list of a band starts at begin[band].
-struct DepthBuffer::BandLists {
-  BandLists(const std::vector<Piece>& all, std::uint32_t height);
-
-  std::vector<std::size_t> begin;
-  std::vector<std::uint32_t> pieces;
-};
-
-DepthBuffer::BandLists::BandLists(const std::vector<Piece>& all, std::uint32_t height) {
-  const std::size_t bands = block_count(height, kBandRows);
-  begin.assign(bands + 1, 0);
-  const auto for_each_band = [&](const Piece& piece, auto visit) {
-    for (std::size_t band = piece.row_begin / kBandRows; band * kBandRows < piece.row_end; ++band) visit(band);
-  };
-  for (const Piece& piece : all) for_each_band(piece, [&](std::size_t band) { ++begin[band + 1]; });
-  for (std::size_t band = 0; band < bands; ++band) begin[band + 1] += begin[band];
-  pieces.resize(begin.back());
-  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for (std::uint32_t i = 0; i < all.size(); ++i) {
-    for_each_band(all[i], [&](std::size_t band) { pieces[next[band]++] = i; });
-  }
-}
-
 /// `triangles`: of the scene, sorted by face.
 PaintCounts DepthBuffer::paint(const ProjectedScene& scene, const std::vector<Triangle>& triangles, Filling filling,
                                std::uint32_t first_face) {
@@ -347,17 +358,19 @@ PaintCounts DepthBuffer::paint(const ProjectedScene& scene, const std::vector<Tr
     p.clear();
   }
 
-  // 2. Bands.
-  const BandLists lists(pieces, grid_.height);
+  // 2. Bands: the numbers of the pieces that meet each band of rows.
+  const KeyedLists<std::uint32_t> bands(block_count(grid_.height, kBandRows), [&](const auto& put) {
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+      for (std::size_t band = pieces[i].row_begin / kBandRows; band * kBandRows < pieces[i].row_end; ++band) put(band, i);
+    }
+  });
 
   // 3. Painting.
-  std::vector<PaintCounts> of_bands(lists.begin.size() - 1);
+  std::vector<PaintCounts> of_bands(bands.size());
   parallel_tasks(of_bands.size(), [&](std::size_t band) {
     const auto row = static_cast<std::uint32_t>(band * kBandRows);
     BandPainter painter(scene, triangles, *this, sides, row, std::min(grid_.height, row + kBandRows));
-    for (std::size_t i = lists.begin[band]; i < lists.begin[band + 1]; ++i) {
-      painter.paint(pieces[lists.pieces[i]], filling);
-    }
+    for (const std::uint32_t piece : bands[band]) painter.paint(pieces[piece], filling);
     of_bands[band] = painter.counts;
   });
   for (const PaintCounts& c : of_bands) {

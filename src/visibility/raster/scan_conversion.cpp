@@ -1,6 +1,5 @@
 #include "visibility/raster/scan_conversion.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace ligne {

@@ -6,8 +6,9 @@
 #include <tuple>
 
 #include "base/disjoint_sets.hpp"
-#include "base/no_index.hpp"
+#include "base/keyed_lists.hpp"
 #include "base/parallel.hpp"
+#include "geometry/convex_hull.hpp"
 #include "view/clip.hpp"
 #include "visibility/common/convex_body.hpp"
 
@@ -51,17 +52,6 @@ PlacedModel place_model(const ProjectedScene& scene) {
   return placed;
 }
 
-/// Connected parts. They join triangles of one face, and two triangles if no third one has their common side. So bodies
-/// that touch in an edge stay separate.
-struct Parts {
-  std::vector<std::uint32_t> triangles;  ///< numbers of triangles by part, ascending in each part
-  std::vector<std::uint32_t> begin;      ///< begin of each part in `triangles`, and the end of the last
-  std::span<const std::uint32_t> of(std::size_t part) const {
-    return std::span(triangles).subspan(begin[part], begin[part + 1] - begin[part]);
-  }
-  std::size_t size() const { return begin.size() - 1; }
-};
-
 DisjointSets connect(const std::vector<Triangle>& triangles) {
   struct Side {
     std::uint32_t low, high, triangle;
@@ -87,27 +77,18 @@ DisjointSets connect(const std::vector<Triangle>& triangles) {
   return sets;
 }
 
-Parts find_parts(const std::vector<Triangle>& triangles) {
+/// The triangles of each connected part. Parts join triangles of one face, and two triangles if no third one has their
+/// common side. So bodies that touch in an edge stay separate.
+KeyedLists<std::uint32_t> find_parts(const std::vector<Triangle>& triangles) {
   DisjointSets sets = connect(triangles);
   const auto n = static_cast<std::uint32_t>(triangles.size());
-  std::vector<std::uint32_t> part_of(n), count;
+  std::vector<std::uint32_t> part_of(n);
+  std::uint32_t parts = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
     const std::uint32_t root = sets.find(i);  // the lowest number of its set
-    if (root == i) {
-      part_of[i] = static_cast<std::uint32_t>(count.size());
-      count.push_back(0);
-    } else {
-      part_of[i] = part_of[root];
-    }
-    ++count[part_of[i]];
+    part_of[i] = root == i ? parts++ : part_of[root];
   }
-  Parts parts;
-  parts.begin.assign(count.size() + 1, 0);
-  for (std::size_t p = 0; p < count.size(); ++p) parts.begin[p + 1] = parts.begin[p] + count[p];
-  std::vector<std::uint32_t> next(parts.begin.begin(), parts.begin.end() - 1);
-  parts.triangles.resize(n);
-  for (std::uint32_t i = 0; i < n; ++i) parts.triangles[next[part_of[i]]++] = i;
-  return parts;
+  return numbers_by_key(parts, n, [&](std::uint32_t i) { return part_of[i]; });
 }
 
 enum class Place : std::uint8_t { in_view, out_of_view, cut };
@@ -184,7 +165,7 @@ FoundPart look_at(const PlacedModel& model, std::span<const std::uint32_t> trian
   }
   std::vector<LatticePoint> points;
   for (const ProjectedVertex& v : part.vertices) points.push_back(v.p);
-  found.hull = convexity::convex_hull(std::move(points));
+  found.hull = convex_hull(std::move(points));
   if (found.is_flat) {
     const bool is_seen = part.face_is_edge_on.empty() || !part.face_is_edge_on[0];
     found.is_front = {is_seen};
@@ -289,10 +270,10 @@ void plant_trees(Bodies& bodies) {
 Bodies find_bodies(const ProjectedScene& scene, double coincidence_steps) {
   Bodies bodies;
   PlacedModel model = place_model(scene);
-  const Parts parts = find_parts(model.page.triangles);
+  const KeyedLists<std::uint32_t> parts = find_parts(model.page.triangles);
   std::vector<FoundPart> found(parts.size());
   parallel_blocks(parts.size(), kPartsPerTask, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p) found[p] = look_at(model, parts.of(p));
+    for (std::size_t p = begin; p < end; ++p) found[p] = look_at(model, parts[p]);
   });
   bodies.of_face.assign(scene.model->faces.size(), kNone);
   bodies.is_front.assign(scene.model->faces.size(), 0);

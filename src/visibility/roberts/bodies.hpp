@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "base/no_index.hpp"
 #include "visibility/common/box_forest.hpp"
 #include "visibility/common/facet.hpp"
 

@@ -3,17 +3,6 @@
 #include <algorithm>
 
 namespace ligne::warnock {
-
-void AnalysisCounts::operator+=(const AnalysisCounts& o) {
-  faces += o.faces;
-  inherited += o.inherited;
-  box += o.box;
-  inside += o.inside;
-  remembered += o.remembered;
-  side_tests += o.side_tests;
-  not_studied += o.not_studied;
-}
-
 namespace {
 
 /// The face against a window of any form. `meets(p, q)` tells of a side whether it meets the window, `point` lies in it.

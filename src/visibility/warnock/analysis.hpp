@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/add_counts.hpp"
 #include "visibility/warnock/faces.hpp"
 
 namespace ligne::warnock {
@@ -48,7 +49,7 @@ struct AnalysisCounts {
   std::uint64_t remembered = 0;   ///< of these, intersectors by the remembered side
   std::uint64_t side_tests = 0;   ///< tests of a side against a window
   std::uint64_t not_studied = 0;  ///< skipped because the window is covered
-  void operator+=(const AnalysisCounts& o);
+  void operator+=(const AnalysisCounts& o) { add_counts(*this, o); }
 };
 
 /// The relation of a face to the closed window. Tests `side` first, and sets it to a side that meets the window. surrounder:

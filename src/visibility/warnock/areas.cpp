@@ -4,8 +4,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "base/no_index.hpp"
-
 namespace ligne::warnock {
 namespace {
 

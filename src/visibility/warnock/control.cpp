@@ -1,6 +1,5 @@
 #include "visibility/warnock/control.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <mutex>
 

@@ -1,7 +1,6 @@
 #include "visibility/warnock/convex_window.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace ligne::warnock {
 namespace {

@@ -3,36 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
+
+#include "geometry/convex_hull.hpp"
 
 namespace ligne::warnock {
 namespace {
-
-/// Monotone chain (Andrew 1979): corners of the convex hull without collinear ones.
-std::vector<LatticePoint> hull_of(const std::vector<ProjectedVertex>& vertices) {
-  std::vector<LatticePoint> points;
-  points.reserve(vertices.size());
-  for (const ProjectedVertex& v : vertices) points.push_back(v.p);
-  std::sort(points.begin(), points.end(),
-            [](LatticePoint a, LatticePoint b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); });
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  std::vector<LatticePoint> hull;
-  for (const bool back : {false, true}) {
-    const std::size_t first = hull.size();
-    const auto add = [&](LatticePoint p) {
-      while (hull.size() >= first + 2 && orientation(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
-      hull.push_back(p);
-    };
-    if (back) {
-      std::for_each(points.rbegin(), points.rend(), add);
-    } else {
-      std::for_each(points.begin(), points.end(), add);
-    }
-    hull.pop_back();
-  }
-  return hull;
-}
 
 template <class Points, class At>
 Window box_of(const Points& points, At at) {
@@ -48,7 +23,9 @@ Window box_of(const Points& points, At at) {
 }  // namespace
 
 WindowFrame principal_frame(const std::vector<ProjectedVertex>& vertices) {
-  const std::vector<LatticePoint> hull = hull_of(vertices);
+  std::vector<LatticePoint> points;
+  for (const ProjectedVertex& v : vertices) points.push_back(v.p);
+  const std::vector<LatticePoint> hull = convex_hull(std::move(points));
   WindowFrame best;
   double best_area = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < hull.size(); ++i) {

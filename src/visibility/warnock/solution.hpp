@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/add_counts.hpp"
 #include "visibility/common/open_parts.hpp"
 #include "visibility/penetration/penetration.hpp"
 #include "visibility/warnock/analysis.hpp"
@@ -26,10 +27,7 @@ struct FoundPart {
 struct SolutionCounts {
   std::uint64_t line_facet_tests = 0;
   std::uint64_t pair_tests = 0;
-  void operator+=(const SolutionCounts& o) {
-    line_facet_tests += o.line_facet_tests;
-    pair_tests += o.pair_tests;
-  }
+  void operator+=(const SolutionCounts& o) { add_counts(*this, o); }
 };
 
 /// Solves windows; keeps scratch memory between them.

@@ -8,7 +8,8 @@
 #include <optional>
 #include <span>
 
-#include "visibility/common/depth_order.hpp"
+#include "base/add_counts.hpp"
+#include "visibility/common/facet.hpp"
 #include "visibility/warnock/analysis.hpp"
 
 namespace ligne::warnock {
@@ -33,11 +34,7 @@ struct DepthCounts {
   std::uint64_t depths = 0;       ///< computed depths
   std::uint64_t comparisons = 0;  ///< compared pairs of faces
   std::uint64_t clipped = 0;      ///< of these, pairs that needed the exact contour
-  void operator+=(const DepthCounts& o) {
-    depths += o.depths;
-    comparisons += o.comparisons;
-    clipped += o.clipped;
-  }
+  void operator+=(const DepthCounts& o) { add_counts(*this, o); }
 };
 
 /// Compares `face` (an element of the window) with the plane of `cover`, over the part of `face` in the window.

@@ -1,15 +1,15 @@
-#include "visibility/warnock/warnock.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <optional>
 
+#include "base/keyed_lists.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/common/opaque_scene.hpp"
 #include "visibility/edges/line_strokes.hpp"
+#include "visibility/methods.hpp"
 #include "visibility/warnock/control.hpp"
 #include "visibility/warnock/initial_window.hpp"
 #include "visibility/warnock/regions.hpp"
@@ -70,29 +70,20 @@ double longer_side_mm(const ProjectedScene& scene) {
   return std::max(scene.view.window.width(), scene.view.window.height());
 }
 
-/// The visible parts of the lines, sorted; first[i] is the index of the first part of line i.
-struct PartsByLine {
-  std::vector<std::size_t> first;
-  std::vector<FoundPart> parts;
-};
+/// The visible parts of the lines.
+using PartsByLine = KeyedLists<FoundPart>;
 
 PartsByLine by_line(const std::vector<FoundPart>& found, std::size_t lines) {
-  PartsByLine result;
-  result.first.assign(lines + 1, 0);
-  for (const FoundPart& p : found) ++result.first[p.line + 1];
-  for (std::size_t i = 0; i < lines; ++i) result.first[i + 1] += result.first[i];
-  result.parts.resize(found.size());
-  std::vector<std::size_t> next(result.first.begin(), result.first.end() - 1);
-  for (const FoundPart& p : found) result.parts[next[p.line]++] = p;
-  return result;
+  return {lines, [&](const auto& put) {
+            for (const FoundPart& p : found) put(p.line, p);
+          }};
 }
 
 /// Joins the parts of each line that the windows found.
 LineVisibility parts_of_lines(const PartsByLine& sorted) {
   return
       [&sorted, of_line = std::vector<FoundPart>()](std::size_t i, const PageLine&, std::vector<LinePart>& parts) mutable {
-        of_line.assign(sorted.parts.begin() + static_cast<std::ptrdiff_t>(sorted.first[i]),
-                       sorted.parts.begin() + static_cast<std::ptrdiff_t>(sorted.first[i + 1]));
+        of_line.assign(sorted[i].begin(), sorted[i].end());
         std::sort(of_line.begin(), of_line.end(),
                   [](const FoundPart& a, const FoundPart& b) { return a.part.from < b.part.from; });
         bool near_side = false;
@@ -203,30 +194,7 @@ Rules second_rules(const Rules& first, bool regions) {
   return second;
 }
 
-}  // namespace
-
-double warnock_tolerance_mm(const Rect& sheet, unsigned resolution) {
-  return 2 * std::numbers::sqrt2 * std::max(sheet.width(), sheet.height()) / resolution;
-}
-
-const MethodTraits& WarnockMethod::traits() const {
-  static const MethodTraits traits{
-      "warnock",
-      "subdivision of the picture into windows that are simple enough; edges and areas; exact, or limited by --set "
-      "resolution",
-      kStrokes | kRegions,
-      true,
-      true,
-      "J. E. Warnock, A hidden surface algorithm for computer generated halftone pictures, 1969",
-      0.001,
-      kParameters,
-      {},
-      false,
-      TransparencyMode::left_out};
-  return traits;
-}
-
-VisibilityResult WarnockMethod::compute_visibility(const ProjectedScene& whole, const VisibilityOptions& options) const {
+VisibilityResult warnock_visibility(const ProjectedScene& whole, const VisibilityOptions& options) {
   const std::optional<OpaqueScene> opaque = without_transparent_faces(whole);
   const ProjectedScene& scene = opaque ? opaque->scene : whole;
   VisibilityResult result;
@@ -284,6 +252,30 @@ VisibilityResult WarnockMethod::compute_visibility(const ProjectedScene& whole, 
   if (opaque) report(*opaque, result);
   result.debug = page_lines(of_edges.cuts, first.frame, scene.lattice);
   return result;
+}
+
+}  // namespace
+
+double warnock_tolerance_mm(const Rect& sheet, unsigned resolution) {
+  return 2 * std::numbers::sqrt2 * std::max(sheet.width(), sheet.height()) / resolution;
+}
+
+const Method& warnock_method() {
+  static const FunctionMethod method(
+      {"warnock",
+       "subdivision of the picture into windows that are simple enough; edges and areas; exact, or limited by --set "
+       "resolution",
+       kStrokes | kRegions,
+       true,
+       true,
+       "J. E. Warnock, A hidden surface algorithm for computer generated halftone pictures, 1969",
+       0.001,
+       kParameters,
+       {},
+       false,
+       TransparencyMode::left_out},
+      warnock_visibility);
+  return method;
 }
 
 }  // namespace ligne

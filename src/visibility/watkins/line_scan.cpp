@@ -8,21 +8,6 @@
 
 namespace ligne::watkins {
 
-void ScanCounts::operator+=(const ScanCounts& o) {
-  lines += o.lines;
-  studied += o.studied;
-  studied_first += o.studied_first;
-  studied_exchanges += o.studied_exchanges;
-  studied_ends += o.studied_ends;
-  segments += o.segments;
-  entered += o.entered;
-  ended += o.ended;
-  exchanges += o.exchanges;
-  passed_chains += o.passed_chains;
-  passed_points += o.passed_points;
-  passed_exchanges += o.passed_exchanges;
-}
-
 LineScan::LineScan(const ScanScene& scene, const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
                    std::span<const SweepLine> lines, const ScanOptions& options, LineListener& listener)
     : scene_(scene),
@@ -101,11 +86,10 @@ bool LineScan::take_line(std::uint32_t line) {
   const bool study = first || opens_ || bends_ || !options_.coherence || exchanged || changes_matter(line);
   for (const std::uint32_t slot : gone_) listener_.ended(*this, slot);
   if (study) {
-    if (scene_.grid.whole) {
-      study_line(*whole_);
-    } else {
-      study_line(*real_);
-    }
+    with_segments([this](auto& method, auto& segments) {
+      collect_segments(segments);
+      study_segments(method, segments);
+    });
     opens_ = has_opening();
     count_study(first, exchanged);
   } else {
@@ -252,17 +236,6 @@ void LineScan::collect_segments(std::vector<ScanSegment<X>>& segments) {
       segments[k] = segments[k - 1];
     }
     segments[k] = moving;
-  }
-}
-
-template <class X>
-void LineScan::study_line(SpanMethod<X>& method) {
-  if constexpr (std::is_integral_v<X>) {
-    collect_segments(whole_segments_);
-    study_segments(method, whole_segments_);
-  } else {
-    collect_segments(real_segments_);
-    study_segments(method, real_segments_);
   }
 }
 

@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/add_counts.hpp"
 #include "visibility/watkins/scan_scene.hpp"
 #include "visibility/watkins/spans/span_method.hpp"
 
@@ -45,7 +46,7 @@ struct ScanCounts {
   std::uint64_t passed_points = 0;       ///< skipped changes: hidden points
   std::uint64_t passed_exchanges =
       0;  ///< skipped exchanges with edges that stay hidden; on a studied line only those before the first visible one
-  void operator+=(const ScanCounts& o);
+  void operator+=(const ScanCounts& o) { add_counts(*this, o); }
 };
 
 /// An edge on the current line.
@@ -78,9 +79,10 @@ class LineListener {
  public:
   virtual ~LineListener() = default;
   virtual void line(const LineScan& scan, std::uint32_t line, bool studied) = 0;
-  virtual void ended(const LineScan& scan, std::uint32_t slot) = 0;  ///< no further line meets the edge of the slot
-  virtual void hidden_point(const LineScan& scan, std::uint32_t slot,
-                            std::uint32_t face) = 0;  ///< an edge passed behind that face without a study
+  /// No further line meets the edge of the slot.
+  virtual void ended(const LineScan&, std::uint32_t) {}
+  /// The edge of the slot passed behind that face without a study.
+  virtual void hidden_point(const LineScan&, std::uint32_t, std::uint32_t) {}
 };
 
 struct SegmentEnds {
@@ -140,8 +142,11 @@ class LineScan : private PairOrders {
   bool behind(std::uint32_t line, const ActiveEdge& a, std::uint32_t face) const;
   bool same_faces(std::uint32_t a, std::uint32_t b) const;
   void follow_edges();
-  template <class X>
-  void study_line(SpanMethod<X>& method);
+  /// Calls work(method, segments), with whole or real coordinates as the grid has them.
+  template <class Work>
+  void with_segments(const Work& work) {
+    whole_ ? work(*whole_, whole_segments_) : work(*real_, real_segments_);
+  }
   template <class X>
   void study_segments(SpanMethod<X>& method, const std::vector<ScanSegment<X>>& segments);
   template <class X>

@@ -16,8 +16,6 @@ class PlaneKeeper final : public LineListener {
     for (const SpanTrace::Bar& bar : trace_.bars) plane_.bars.push_back({bar.x0, bar.x1, bar.row, bar.segment});
     for (const LineSpan& span : scan.spans()) keep_run(span, scan);
   }
-  void ended(const LineScan&, std::uint32_t) override {}
-  void hidden_point(const LineScan&, std::uint32_t, std::uint32_t) override {}
 
  private:
   void keep_run(const LineSpan& span, const LineScan& scan) {

@@ -2,21 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <numeric>
 
 #include "base/no_index.hpp"
+#include "visibility/polygons/facet_order.hpp"
 
 namespace ligne::watkins {
 namespace {
-
-/// A side of a triangle of face `index`, or line `index`.
-struct SideUse {
-  std::uint32_t other;  ///< the higher vertex
-  bool line;
-  std::uint32_t index;
-  friend auto operator<=>(const SideUse&, const SideUse&) = default;
-};
 
 /// The plane of each face, from its largest triangle on the page.
 std::vector<GridPlane> planes_of(const ProjectedScene& scene, const LineGrid& grid, std::uint32_t face_count) {
@@ -51,44 +43,15 @@ std::vector<double> depth_tolerances(const ProjectedScene& scene, const std::vec
   return tolerances;
 }
 
-/// Sides of triangles and lines, grouped by their lower vertex from begin[vertex] on, and sorted.
-struct UsesByVertex {
-  std::vector<std::uint32_t> begin;
-  std::vector<SideUse> uses;
-};
-
-UsesByVertex find_uses(const ProjectedScene& scene, const std::vector<std::array<std::uint32_t, 2>>& line_ends,
-                       std::size_t vertex_count) {
-  UsesByVertex found{std::vector<std::uint32_t>(vertex_count + 1, 0), {}};
-  const auto for_each_use = [&](const auto& use) {
-    for (const Triangle& t : scene.triangles) {
-      if (scene.is_edge_on(t)) continue;
-      for (int k = 0; k < 3; ++k) use(t.v[k], t.v[(k + 1) % 3], false, t.face);
-    }
-    for (std::uint32_t i = 0; i < line_ends.size(); ++i) use(line_ends[i][0], line_ends[i][1], true, i);
-  };
-  std::vector<std::uint32_t>& begin = found.begin;
-  for_each_use([&](std::uint32_t a, std::uint32_t b, bool, std::uint32_t) { ++begin[std::min(a, b) + 1]; });
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  found.uses.resize(begin.back());
-  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-  for_each_use([&](std::uint32_t a, std::uint32_t b, bool line, std::uint32_t i) {
-    found.uses[next[std::min(a, b)]++] = {std::max(a, b), line, i};
-  });
-  for (std::size_t v = 0; v < vertex_count; ++v) {
-    std::sort(found.uses.begin() + begin[v], found.uses.begin() + begin[v + 1]);
-  }
-  return found;
-}
-
 /// The edges of a scene, with the faces and lines that use them.
 std::vector<ScanEdge> make_edges(ScanScene& result, const std::vector<ProjectedVertex>& vertices,
-                                 const UsesByVertex& sides) {
+                                 const KeyedLists<SegmentUse>& sides) {
   const LineGrid& grid = result.grid;
   std::vector<ScanEdge> edges;
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-    const auto first = sides.uses.begin() + sides.begin[v], end = sides.uses.begin() + sides.begin[v + 1];
-    for (auto use = first; use != end;) {
+    const std::span<const SegmentUse> uses = sides[v];
+    const auto end = uses.end();
+    for (auto use = uses.begin(); use != end;) {
       ScanEdge edge;
       edge.faces_begin = static_cast<std::uint32_t>(result.edge_faces.size());
       edge.lines_begin = static_cast<std::uint32_t>(result.edge_lines.size());
@@ -134,7 +97,8 @@ ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>&
   for (std::uint32_t f = 0; f < result.face_count; ++f) {
     if (result.is_skew(f)) result.planes[f] = {skew->farthest(f), 0, 0};
   }
-  result.of_faces = FacetsOfFaces(facets, result.face_count);
+  result.of_faces =
+      numbers_by_key(result.face_count, facets.size(), [&](std::uint32_t facet) { return facets[facet].face; });
   result.depth_tolerance = depth_tolerances(scene, facets, result.face_count, thin_steps);
 
   // Lines that are edges of the scene share its vertices; the others get vertices of their own.
@@ -150,7 +114,14 @@ ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>&
       vertices.push_back(lines[i].to);
     }
   }
-  const std::vector<ScanEdge> edges = make_edges(result, vertices, find_uses(scene, line_ends, vertices.size()));
+  const auto for_each_use = [&](const auto& use) {
+    for (const Triangle& t : scene.triangles) {
+      if (scene.is_edge_on(t)) continue;
+      for (int k = 0; k < 3; ++k) use(t.v[k], t.v[(k + 1) % 3], false, t.face);
+    }
+    for (std::uint32_t i = 0; i < line_ends.size(); ++i) use(line_ends[i][0], line_ends[i][1], true, i);
+  };
+  const std::vector<ScanEdge> edges = make_edges(result, vertices, uses_by_end(vertices.size(), for_each_use));
   // Counting sort by first line.
   result.first_of_line.assign(std::size_t{grid.count} + 2, 0);
   for (const ScanEdge& e : edges) ++result.first_of_line[e.track.first + 1];
@@ -162,6 +133,51 @@ ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>&
   result.edges.emplace_back();
   result.edges.back().track.last = kNone;
   return result;
+}
+
+DepthOrder FaceOrders::of(std::uint32_t a, std::uint32_t b) {
+  if (a == b || (skew_ && (skew_->has(a) || skew_->has(b)))) return DepthOrder::crossing;
+  const std::uint32_t low = std::min(a, b), high = std::max(a, b);
+  const auto [place, fresh] = known_.try_emplace((std::uint64_t{low} << 32) | high, DepthOrder::crossing);
+  if (fresh) place->second = decide(low, high);
+  const DepthOrder order = place->second;
+  if (a == low || order == DepthOrder::crossing) return order;
+  return order == DepthOrder::first ? DepthOrder::second : DepthOrder::first;
+}
+
+void FaceOrders::extents_of(std::uint32_t face, std::vector<Extent>& extents) const {
+  extents.clear();
+  for (const std::uint32_t f : of_faces_[face]) {
+    const std::uint32_t* v = facets_[f].v;
+    const LatticePoint a = vertices_[v[0]].p, b = vertices_[v[1]].p, c = vertices_[v[2]].p;
+    extents.push_back(
+        {std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), f});
+  }
+  std::sort(extents.begin(), extents.end(),
+            [](const Extent& p, const Extent& q) { return p.x0 != q.x0 ? p.x0 < q.x0 : p.facet < q.facet; });
+}
+
+/// Compares all facets of one face with the overlapping facets of the other, from left to right. Requires a < b.
+DepthOrder FaceOrders::decide(std::uint32_t a, std::uint32_t b) {
+  extents_of(a, extents_a_);
+  extents_of(b, extents_b_);
+  open_.clear();
+  bool a_in_front = false, b_in_front = false;
+  std::size_t next = 0;
+  for (const Extent& e : extents_a_) {
+    while (next < extents_b_.size() && extents_b_[next].x0 < e.x1) open_.push_back(extents_b_[next++]);
+    // Drops extents that end left of this one: later ones begin no farther left.
+    std::erase_if(open_, [&](const Extent& o) { return o.x1 <= e.x0; });
+    for (const Extent& o : open_) {
+      if (o.x0 >= e.x1 || o.y1 <= e.y0 || o.y0 >= e.y1) continue;
+      const FacetOrder order = order_of(facets_, vertices_, e.facet, o.facet);
+      if (order.order == DepthOrder::crossing) return DepthOrder::crossing;
+      if (order.order == DepthOrder::apart || order.tie) continue;
+      (order.order == DepthOrder::first ? a_in_front : b_in_front) = true;
+      if (a_in_front && b_in_front) return DepthOrder::crossing;
+    }
+  }
+  return b_in_front ? DepthOrder::second : DepthOrder::first;
 }
 
 }  // namespace ligne::watkins

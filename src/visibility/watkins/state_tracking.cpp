@@ -155,13 +155,6 @@ std::vector<Intersection> marks_of_points(const std::vector<PenetrationPoint>& p
   return marks;
 }
 
-void TrackCounts::operator+=(const TrackCounts& o) {
-  positions += o.positions;
-  became_visible += o.became_visible;
-  became_hidden += o.became_hidden;
-  facet_tests += o.facet_tests;
-}
-
 EdgeTracker::Tracks& EdgeTracker::tracks_of(const LineScan& scan, std::uint32_t slot) {
   if (slot >= tracks_.size()) tracks_.resize(slot + 1);
   Tracks& tracks = tracks_[slot];
@@ -288,7 +281,7 @@ void EdgeTracker::hold_against(std::uint32_t index, Track& track, std::uint32_t 
     return;
   }
   bool near_side = false;
-  for (const std::uint32_t f : scene_.of_faces.of(face)) {
+  for (const std::uint32_t f : scene_.of_faces[face]) {
     ++counts_.facet_tests;
     const HiddenInterval h = hidden_interval(line, facets_[f], vertices_.data(), {0, 1}, coincidence_steps_, near_side);
     if (h.sides != HiddenSides::none) track.hidden.push_back(h);

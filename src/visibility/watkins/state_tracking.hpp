@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/add_counts.hpp"
 #include "visibility/common/hidden_interval.hpp"
 #include "visibility/common/open_parts.hpp"
 #include "visibility/penetration/penetration.hpp"
@@ -40,8 +41,6 @@ class StateTracker final : public LineListener {
   explicit StateTracker(std::span<const SweepLine> lines) : lines_(lines) {}
 
   void line(const LineScan& scan, std::uint32_t line, bool studied) override;
-  void ended(const LineScan&, std::uint32_t) override {}
-  void hidden_point(const LineScan&, std::uint32_t, std::uint32_t) override {}
 
   /// The parts found so far, those of one line in order.
   std::vector<TrackedPart> take_parts();
@@ -95,7 +94,7 @@ struct TrackCounts {
   std::uint64_t positions = 0;                          ///< edges examined on studied lines
   std::uint64_t became_visible = 0, became_hidden = 0;  ///< changes of state
   std::uint64_t facet_tests = 0;
-  void operator+=(const TrackCounts& o);
+  void operator+=(const TrackCounts& o) { add_counts(*this, o); }
 };
 
 class EdgeTracker final : public LineListener {

@@ -15,8 +15,6 @@ using Segment = ScanSegment<double>;
 class NoListener final : public LineListener {
  public:
   void line(const LineScan&, std::uint32_t, bool) override {}
-  void ended(const LineScan&, std::uint32_t) override {}
-  void hidden_point(const LineScan&, std::uint32_t, std::uint32_t) override {}
 };
 
 /// Composes the spans of single lines. Invariant: `active_` has the transparent segments over the current gap, from

@@ -1,5 +1,3 @@
-#include "visibility/watkins/watkins.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -12,11 +10,11 @@
 #include "visibility/common/opaque_scene.hpp"
 #include "visibility/edges/line_strokes.hpp"
 #include "visibility/edges/visible_parts.hpp"
+#include "visibility/methods.hpp"
 #include "visibility/penetration/intersections.hpp"
 #include "visibility/watkins/exact/exact_study.hpp"
 #include "visibility/watkins/exact/line_study.hpp"
-#include "visibility/watkins/leave_out_hidden.hpp"
-#include "visibility/watkins/report_counts.hpp"
+#include "visibility/watkins/exact/occluder_grid.hpp"
 #include "visibility/watkins/scan_plane.hpp"
 #include "visibility/watkins/skew_faces.hpp"
 #include "visibility/watkins/transparent_spans.hpp"
@@ -335,23 +333,6 @@ VisibilityResult WatkinsStudy::run() {
 
 }  // namespace
 
-const MethodTraits& WatkinsMethod::traits() const {
-  static const MethodTraits traits{
-      "watkins",
-      "scan lines: the nearest face of each span; visible edges tracked between events",
-      kStrokes | kSpans,
-      true,
-      true,
-      "G. S. Watkins, A real time visible surface algorithm, 1970; M. Archuleta, Hidden surface line-drawing algorithm, "
-      "1972",
-      0.001,
-      watkins_parameters(),
-      {},
-      false,
-      TransparencyMode::hides_nothing};
-  return traits;
-}
-
 namespace {
 
 /// The study of a scene whose skew faces, if any, have the surfaces of `skew`.
@@ -381,9 +362,7 @@ VisibilityResult study(const ProjectedScene& scene, const VisibilityOptions& opt
   return result;
 }
 
-}  // namespace
-
-VisibilityResult WatkinsMethod::compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const {
+VisibilityResult watkins_visibility(const ProjectedScene& scene, const VisibilityOptions& options) {
   if (!watkins_options(options.settings).slopes) return study(scene, options, nullptr);
   const std::optional<SkewScene> skew =
       join_skew_faces(scene, make_facets(scene, coincidence_mm(scene) / scene.lattice.step_mm).facets);
@@ -393,6 +372,26 @@ VisibilityResult WatkinsMethod::compute_visibility(const ProjectedScene& scene, 
     result.statistics.count("skew faces of many sides, as triangles", skew->left_as_triangles);
   }
   return result;
+}
+
+}  // namespace
+
+const Method& watkins_method() {
+  static const FunctionMethod method(
+      {"watkins",
+       "scan lines: the nearest face of each span; visible edges tracked between events",
+       kStrokes | kSpans,
+       true,
+       true,
+       "G. S. Watkins, A real time visible surface algorithm, 1970; M. Archuleta, Hidden surface line-drawing algorithm, "
+       "1972",
+       0.001,
+       watkins_parameters(),
+       {},
+       false,
+       TransparencyMode::hides_nothing},
+      watkins_visibility);
+  return method;
 }
 
 }  // namespace ligne

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "visibility/kept_visibility.hpp"
+#include "visibility/method.hpp"
 #include "visibility/raster/depth_buffer.hpp"
 
 namespace ligne::zbuffer {

@@ -1,6 +1,5 @@
 #include "visibility/watkins/exact/crossing_queue.hpp"
 
-#include <algorithm>
 #include <cassert>
 #include <utility>
 

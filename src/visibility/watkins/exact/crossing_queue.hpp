@@ -13,8 +13,8 @@
 #include "geometry/lattice.hpp"
 #include "visibility/penetration/penetration.hpp"
 #include "visibility/watkins/exact/occluder_grid.hpp"
+#include "visibility/watkins/exact/sweep_scene.hpp"
 #include "visibility/watkins/exact/sweep_status.hpp"
-#include "visibility/watkins/scan_effort.hpp"
 
 namespace ligne::watkins {
 

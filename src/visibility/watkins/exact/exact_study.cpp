@@ -4,10 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <mutex>
-#include <numeric>
 #include <optional>
-#include <span>
-#include <vector>
 
 #include "base/parallel.hpp"
 #include "visibility/common/facet.hpp"
@@ -152,22 +149,34 @@ std::vector<Intersection> take_intersections(ExactResult& result, const std::vec
 }
 
 FoundIntervals::FoundIntervals(const std::vector<std::vector<Finding>>& findings, std::size_t line_count)
-    : first_(line_count + 1, 0) {
-  for (const auto& band : findings) {
-    for (const Finding& f : band) ++first_[f.line + 1];
-  }
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  intervals_.resize(first_.back());
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (const auto& band : findings) {
-    for (const Finding& f : band) intervals_[next[f.line]++] = f.interval;
-  }
-}
+    : intervals_(line_count, [&](const auto& put) {
+        for (const auto& band : findings) {
+          for (const Finding& f : band) put(f.line, f.interval);
+        }
+      }) {}
 
 const std::vector<LinePart>& FoundIntervals::visible_parts(std::size_t line, OpenParts& open) const {
   open.reset(0, 1);
-  for (std::uint32_t i = first_[line]; i < first_[line + 1] && !open.empty(); ++i) open.take(intervals_[i]);
+  for (const HiddenInterval& interval : intervals_[line]) {
+    if (open.empty()) break;
+    open.take(interval);
+  }
   return open.finish();
+}
+
+void report(const ExactCounts& counts, Statistics& statistics) {
+  statistics.count("bands", counts.bands);
+  statistics.count("events at points", counts.sweep.points);
+  statistics.count("of these, dangling vertices", counts.sweep.searches);
+  statistics.count("events at crossings", counts.sweep.crossings);
+  statistics.count("of these, without a line", counts.sweep.hidden_crossings);
+  statistics.count("longest active list", counts.sweep.most_active);
+  statistics.count("line intervals", counts.stretches.stretches);
+  statistics.count("line intervals known to be hidden", counts.stretches.carried);
+  statistics.count("line intervals with nothing in front", counts.stretches.in_front);
+  statistics.count("scan lines studied", counts.stretches.studied);
+  statistics.count("line-facet tests", counts.stretches.facet_tests);
+  report(counts.spans, statistics);
 }
 
 }  // namespace ligne::watkins

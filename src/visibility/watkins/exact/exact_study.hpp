@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "base/keyed_lists.hpp"
+#include "drawing/statistics.hpp"
 #include "visibility/common/open_parts.hpp"
 #include "visibility/watkins/exact/exact_sweep.hpp"
 
@@ -37,8 +39,7 @@ class FoundIntervals {
   const std::vector<LinePart>& visible_parts(std::size_t line, OpenParts& open) const;
 
  private:
-  std::vector<std::uint32_t> first_;  ///< line i has the intervals [first_[i], first_[i + 1])
-  std::vector<HiddenInterval> intervals_;
+  KeyedLists<HiddenInterval> intervals_;  ///< by line
 };
 
 struct ExactResult {
@@ -55,5 +56,7 @@ std::vector<Intersection> take_intersections(ExactResult& result, const std::vec
 
 ExactResult study_exactly(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
                           std::span<const SweepLine> lines, const ExactOptions& options);
+
+void report(const ExactCounts& counts, Statistics& statistics);
 
 }  // namespace ligne::watkins

@@ -1,6 +1,5 @@
 #include "visibility/watkins/exact/exact_sweep.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/no_index.hpp"
@@ -18,14 +17,6 @@ double abscissa(LatticePoint top, LatticePoint bottom, double y, double x) {
 }
 
 }  // namespace
-
-void SweepCounts::operator+=(const SweepCounts& o) {
-  points += o.points;
-  crossings += o.crossings;
-  hidden_crossings += o.hidden_crossings;
-  searches += o.searches;
-  most_active = std::max(most_active, o.most_active);
-}
 
 void ExactSweep::scan(const SweepBand& band) {
   begin(band);

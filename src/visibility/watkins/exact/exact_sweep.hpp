@@ -9,10 +9,12 @@
 /// harmless. Exact determinants decide which of two neighbours is left where the first of them ends, and a pair is exchanged
 /// at most once. So the list corrects itself, and the wrong part is shorter than a thousandth of a lattice step.
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "base/add_counts.hpp"
 #include "visibility/watkins/exact/crossing_queue.hpp"
 #include "visibility/watkins/exact/stretch_study.hpp"
 #include "visibility/watkins/exact/sweep_scene.hpp"
@@ -27,7 +29,11 @@ struct SweepCounts {
       0;                          ///< of these, between hidden edges that are no lines: only the list changes (figure 2.59)
   std::uint64_t searches = 0;     ///< points that needed a search, because no edge ends there (dangling vertices)
   std::uint64_t most_active = 0;  ///< largest length of the active list
-  void operator+=(const SweepCounts& o);
+  void operator+=(const SweepCounts& o) {
+    const std::uint64_t most = std::max(most_active, o.most_active);
+    add_counts(*this, o);
+    most_active = most;
+  }
 };
 
 /// The part of a line hidden by a facet.

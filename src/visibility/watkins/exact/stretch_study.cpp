@@ -4,8 +4,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "base/no_index.hpp"
-
 namespace ligne::watkins {
 namespace {
 
@@ -26,14 +24,6 @@ bool hidden_all_along(const LineState& state, double t0, double t1, double slack
 }
 
 }  // namespace
-
-void StretchCounts::operator+=(const StretchCounts& o) {
-  stretches += o.stretches;
-  carried += o.carried;
-  in_front += o.in_front;
-  studied += o.studied;
-  facet_tests += o.facet_tests;
-}
 
 StretchStudy::StretchStudy(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
                            std::span<const SweepLine> lines, double coincidence_steps, SpanMethodKind kind,

@@ -12,11 +12,11 @@
 #include <span>
 #include <vector>
 
+#include "base/add_counts.hpp"
 #include "base/no_index.hpp"
 #include "visibility/common/open_parts.hpp"
 #include "visibility/watkins/exact/sweep_scene.hpp"
 #include "visibility/watkins/exact/sweep_status.hpp"
-#include "visibility/watkins/scan_effort.hpp"
 #include "visibility/watkins/spans/span_method.hpp"
 
 namespace ligne::watkins {
@@ -40,7 +40,7 @@ struct StretchCounts {
   std::uint64_t in_front = 0;     ///< of these, with no candidate in front of the line
   std::uint64_t studied = 0;      ///< of these, studied on a small scan line by the span method
   std::uint64_t facet_tests = 0;  ///< tests of a line against a facet
-  void operator+=(const StretchCounts& o);
+  void operator+=(const StretchCounts& o) { add_counts(*this, o); }
 };
 
 class StretchStudy {

@@ -1,12 +1,6 @@
 #include "visibility/watkins/exact/sweep_scene.hpp"
 
-#include <algorithm>
 #include <cassert>
-#include <compare>
-#include <numeric>
-
-#include "base/no_index.hpp"
-#include "base/parallel.hpp"
 
 namespace ligne::watkins {
 namespace {
@@ -23,60 +17,22 @@ LatticePoint point_of(std::uint64_t key) {
           static_cast<std::int32_t>(static_cast<std::int64_t>(key >> 32) - kOffset)};
 }
 
-/// A use of a segment of the page: as the side of a facet, or as a line.
-struct PieceUse {
-  std::uint32_t bottom;
-  bool line;
-  std::uint32_t index;
-  friend auto operator<=>(const PieceUse&, const PieceUse&) = default;
-};
-
-/// Uses grouped by their top point, by a counting sort, then sorted within each point.
-class UseTable {
- public:
-  explicit UseTable(std::size_t points) : begin_(points + 1, 0) {}
-
-  void count(std::uint32_t a, std::uint32_t b) {
-    if (a != b) ++begin_[std::min(a, b) + 1];
-  }
-  void deal() {
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    uses_.resize(begin_.back());
-    next_.assign(begin_.begin(), begin_.end() - 1);
-  }
-  void put(std::uint32_t a, std::uint32_t b, bool line, std::uint32_t index) {
-    if (a != b) uses_[next_[std::min(a, b)]++] = {std::max(a, b), line, index};
-  }
-  void sort() {
-    parallel_for(begin_.size() - 1,
-                 [&](std::size_t p) { std::sort(uses_.begin() + begin_[p], uses_.begin() + begin_[p + 1]); });
-  }
-  std::size_t points() const { return begin_.size() - 1; }
-  std::span<const PieceUse> of(std::size_t point) const {
-    return {uses_.data() + begin_[point], uses_.data() + begin_[point + 1]};
-  }
-
- private:
-  std::vector<std::uint32_t> begin_, next_;
-  std::vector<PieceUse> uses_;
-};
-
 /// Adds one edge for all uses of a segment.
-void add_edges(const UseTable& table, SweepScene& scene) {
-  scene.first_start.assign(table.points() + 1, 0);
-  for (std::size_t p = 0; p < table.points(); ++p) {
+void add_edges(const KeyedLists<SegmentUse>& by_point, SweepScene& scene) {
+  scene.first_start.assign(by_point.size() + 1, 0);
+  for (std::size_t p = 0; p < by_point.size(); ++p) {
     scene.first_start[p] = static_cast<std::uint32_t>(scene.edges.size());
-    const std::span<const PieceUse> uses = table.of(p);
+    const std::span<const SegmentUse> uses = by_point[p];
     for (std::size_t i = 0; i < uses.size();) {
       SweepEdge edge;
       edge.top_point = static_cast<std::uint32_t>(p);
-      edge.bottom_point = uses[i].bottom;
+      edge.bottom_point = uses[i].other;
       edge.top = scene.points[p];
-      edge.bottom = scene.points[uses[i].bottom];
+      edge.bottom = scene.points[uses[i].other];
       edge.facets_begin = static_cast<std::uint32_t>(scene.edge_facets.size());
       edge.lines_begin = static_cast<std::uint32_t>(scene.edge_lines.size());
-      const std::uint32_t bottom = uses[i].bottom;
-      for (; i < uses.size() && uses[i].bottom == bottom; ++i) {
+      const std::uint32_t bottom = uses[i].other;
+      for (; i < uses.size() && uses[i].other == bottom; ++i) {
         (uses[i].line ? scene.edge_lines : scene.edge_facets).push_back(uses[i].index);
       }
       edge.facets_end = static_cast<std::uint32_t>(scene.edge_facets.size());
@@ -84,16 +40,7 @@ void add_edges(const UseTable& table, SweepScene& scene) {
       scene.edges.push_back(edge);
     }
   }
-  scene.first_start[table.points()] = static_cast<std::uint32_t>(scene.edges.size());
-}
-
-void add_ends(SweepScene& scene) {
-  scene.first_end.assign(scene.points.size() + 1, 0);
-  for (const SweepEdge& e : scene.edges) ++scene.first_end[e.bottom_point + 1];
-  std::partial_sum(scene.first_end.begin(), scene.first_end.end(), scene.first_end.begin());
-  scene.ends.resize(scene.edges.size());
-  std::vector<std::uint32_t> next(scene.first_end.begin(), scene.first_end.end() - 1);
-  for (std::uint32_t i = 0; i < scene.edges.size(); ++i) scene.ends[next[scene.edges[i].bottom_point]++] = i;
+  scene.first_start[by_point.size()] = static_cast<std::uint32_t>(scene.edges.size());
 }
 
 }  // namespace
@@ -139,8 +86,10 @@ SweepScene make_sweep_scene(const std::vector<ProjectedVertex>& vertices, const 
     number[places[i].user] = static_cast<std::uint32_t>(scene.points.size() - 1);
   }
 
-  UseTable table(scene.points.size());
-  const auto for_each_use = [&](const auto& use) {
+  const auto for_each_use = [&](const auto& add) {
+    const auto use = [&](std::uint32_t a, std::uint32_t b, bool line, std::uint32_t index) {
+      if (a != b) add(a, b, line, index);
+    };
     for (std::uint32_t f = 0; f < facets.size(); ++f) {
       for (int k = 0; k < 3; ++k) use(number[facets[f].v[k]], number[facets[f].v[(k + 1) % 3]], false, f);
     }
@@ -148,12 +97,9 @@ SweepScene make_sweep_scene(const std::vector<ProjectedVertex>& vertices, const 
       if (lines[i].to_study()) use(number[n + 2 * i], number[n + 2 * i + 1], true, i);
     }
   };
-  for_each_use([&](std::uint32_t a, std::uint32_t b, bool, std::uint32_t) { table.count(a, b); });
-  table.deal();
-  for_each_use([&](std::uint32_t a, std::uint32_t b, bool line, std::uint32_t i) { table.put(a, b, line, i); });
-  table.sort();
-  add_edges(table, scene);
-  add_ends(scene);
+  add_edges(uses_by_end(scene.points.size(), for_each_use), scene);
+  scene.ends = numbers_by_key(scene.points.size(), scene.edges.size(),
+                              [&](std::uint32_t edge) { return scene.edges[edge].bottom_point; });
   assert(is_in_scan_order(scene));
   return scene;
 }

@@ -6,11 +6,15 @@
 /// height in turn and horizontal edges need no special case. The *top* of an edge is its first point, the *bottom* its last.
 /// `side(e, q)` is positive if q lies on the side of e that the scan line meets first (left); it is exact on the lattice.
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "base/keyed_lists.hpp"
 #include "base/no_index.hpp"
+#include "base/parallel.hpp"
 #include "visibility/common/facet.hpp"
 #include "visibility/penetration/penetration.hpp"
 
@@ -38,14 +42,34 @@ struct SweepLine {
   bool to_study() const { return !behind && !(from.p == to.p); }
 };
 
+/// A use of a segment: as a side of facet or face `index`, or as line `index`.
+struct SegmentUse {
+  std::uint32_t other;  ///< the end with the higher number
+  bool line;
+  std::uint32_t index;
+  friend auto operator<=>(const SegmentUse&, const SegmentUse&) = default;
+};
+
+/// The uses of segments by the end with the lower number, sorted. for_each_use(use) calls use(end, end, line, index) for
+/// all.
+template <class ForEachUse>
+KeyedLists<SegmentUse> uses_by_end(std::size_t ends, const ForEachUse& for_each_use) {
+  KeyedLists<SegmentUse> uses(ends, [&](const auto& put) {
+    for_each_use([&](std::uint32_t a, std::uint32_t b, bool line, std::uint32_t index) {
+      put(std::min(a, b), SegmentUse{std::max(a, b), line, index});
+    });
+  });
+  parallel_for(ends, [&](std::size_t end) { std::ranges::sort(uses[end]); });
+  return uses;
+}
+
 /// Invariants: points ascend; edges ascend by top_point; no edge lists a facet twice.
 struct SweepScene {
   std::vector<LatticePoint> points;  ///< the distinct ends of edges
   std::vector<SweepEdge> edges;
   std::vector<std::uint32_t>
-      first_start;                       ///< by point, plus one entry: edges [first_start[p], first_start[p + 1]) begin at p
-  std::vector<std::uint32_t> first_end;  ///< likewise for `ends`
-  std::vector<std::uint32_t> ends;       ///< edges by their bottom point
+      first_start;                 ///< by point, plus one entry: edges [first_start[p], first_start[p + 1]) begin at p
+  KeyedLists<std::uint32_t> ends;  ///< edges by their bottom point
   std::vector<std::uint32_t> edge_facets, edge_lines;
 
   std::span<const std::uint32_t> facets_of(const SweepEdge& e) const {
@@ -71,5 +95,22 @@ struct SweepBand {
 
 /// Bands of about equal numbers of points. Their number depends only on the scene.
 std::vector<SweepBand> make_bands(const SweepScene& scene);
+
+/// Limits the effort of a scan. If hundreds of facets overlap all over the page, each of a million events examines hundreds
+/// of them. The scan of a band may examine a multiple of its points; beyond it gives up, and its work is done by grid cells.
+class ScanEffort {
+ public:
+  explicit ScanEffort(std::size_t points) : left_(kLooksPerPoint * std::max(points, kFewPoints)) {}
+
+  void spend(std::uint64_t looks) { left_ -= std::min(left_, looks); }
+  bool spent() const { return left_ == 0; }
+
+ private:
+  // Examined elements allowed per point; smallest number of points that counts. Tuned.
+  static constexpr std::uint64_t kLooksPerPoint = 8192;
+  static constexpr std::size_t kFewPoints = 4096;
+
+  std::uint64_t left_;
+};
 
 }  // namespace ligne::watkins

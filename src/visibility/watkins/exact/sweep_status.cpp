@@ -1,7 +1,5 @@
 #include "visibility/watkins/exact/sweep_status.hpp"
 
-#include <algorithm>
-
 #include "visibility/watkins/exact/sweep_scene.hpp"
 
 namespace ligne::watkins {

@@ -11,22 +11,20 @@ namespace ligne::watkins {
 /// The slots (before, last] whose nodes pass through the point; last == before if there is none.
 void ExactSweep::find_range(std::uint32_t point, std::uint32_t& before, std::uint32_t& last) {
   const LatticePoint v = scene_.points[point];
-  const std::uint32_t* const ends = scene_.ends.data();
-  const std::uint32_t ends_begin = scene_.first_end[point], ends_end = scene_.first_end[point + 1];
+  const std::span<const std::uint32_t> ends = scene_.ends[point];
   std::uint32_t first;
-  if (ends_begin == ends_end) {
+  if (ends.empty()) {
     ++counts_.searches;
     before = status_.last_left_of(v);
     last = before;
   } else {
-    first = status_.node(node_of_[local_of(ends[ends_begin])]).slot;
+    first = status_.node(node_of_[local_of(ends.front())]).slot;
     last = first;
     before = status_.previous(first);
   }
   while (before != SweepStatus::kLeftEnd && through(before, v)) before = status_.previous(before);
   while (status_.next(last) != SweepStatus::kLeftEnd && through(status_.next(last), v)) last = status_.next(last);
-  for (std::uint32_t i = ends_begin; i < ends_end; ++i)
-    draw_in(status_.node(node_of_[local_of(ends[i])]).slot, before, last);
+  for (const std::uint32_t edge : ends) draw_in(status_.node(node_of_[local_of(edge)]).slot, before, last);
 }
 
 /// Exchanges a slot, whose edge ends at the current point but lies outside the range by rounding, with its neighbours until

@@ -2,20 +2,6 @@
 
 namespace ligne::watkins {
 
-void SpanCounts::operator+=(const SpanCounts& o) {
-  comparisons += o.comparisons;
-  depth_tests += o.depth_tests;
-  penetrations += o.penetrations;
-  insertions += o.insertions;
-  pushes += o.pushes;
-  pops += o.pops;
-  boxes += o.boxes;
-  remembered += o.remembered;
-  points += o.points;
-  spans += o.spans;
-  swaps += o.swaps;
-}
-
 std::uint64_t SpanCounts::total() const {
   std::uint64_t sum = 0;
   for (const auto& [name, value] : named()) sum += value;
@@ -34,6 +20,10 @@ std::array<std::pair<std::string_view, std::uint64_t>, SpanCounts::kKinds> SpanC
            {"points", points},
            {"spans", spans},
            {"swaps", swaps}}};
+}
+
+void report(const SpanCounts& counts, Statistics& statistics) {
+  for (const auto& [name, value] : counts.named()) statistics.count("span method: " + std::string(name), value);
 }
 
 template <class X>

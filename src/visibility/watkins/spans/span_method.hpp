@@ -15,7 +15,9 @@
 #include <utility>
 #include <vector>
 
-#include "visibility/common/depth_order.hpp"
+#include "base/add_counts.hpp"
+#include "drawing/statistics.hpp"
+#include "visibility/common/facet.hpp"
 
 namespace ligne::watkins {
 
@@ -65,11 +67,13 @@ struct SpanCounts {
   std::uint64_t spans = 0;         ///< resulting spans
   std::uint64_t swaps = 0;         ///< exchanges of the sort
 
-  void operator+=(const SpanCounts& o);
+  void operator+=(const SpanCounts& o) { add_counts(*this, o); }
   std::uint64_t total() const;
   static constexpr std::size_t kKinds = 11;
   std::array<std::pair<std::string_view, std::uint64_t>, kKinds> named() const;
 };
+
+void report(const SpanCounts& counts, Statistics& statistics);
 
 /// The steps of a study, for pictures of the scan plane. Row 0 is drawn first.
 struct SpanTrace {

@@ -1,4 +1,4 @@
-#include "picture/check_request.hpp"
+#include "picture/requests.hpp"
 
 #include "picture/errors.hpp"
 #include "picture/hatching/form_hatching.hpp"

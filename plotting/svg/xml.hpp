@@ -1,10 +1,12 @@
 #pragma once
-/// Expands internal entities of an XML document, which the parser does not. Private to plotting.
+/// What the XML parser leaves to do: internal entities, and names independent of a file's prefixes. Private to plotting.
 
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include <pugixml.hpp>
 
 namespace ligne::svg {
 
@@ -17,5 +19,13 @@ struct ExpandedDocument {
 /// none. Names without a declaration stay. Throws std::invalid_argument if entities contain themselves, or if a small
 /// document would become a large one.
 std::optional<ExpandedDocument> expand_entities(std::string_view xml);
+
+/// Removes the prefixes of elements of SVG ("ns0:path" becomes "path"), gives one to elements of other namespaces, and
+/// renames attributes of XLink and Inkscape to "xlink:href" and "inkscape:label". The namespace of the root counts as
+/// SVG.
+void use_plain_names(pugi::xml_node root);
+
+/// The name of an element of SVG after use_plain_names(); empty for elements of other namespaces.
+std::string_view local_name(const pugi::xml_node& node);
 
 }  // namespace ligne::svg
