@@ -310,31 +310,14 @@ int run(int argc, char** argv) {
 
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   const std::string name = chosen.empty() ? "" : chosen.front()->get_name();
-  const auto given = [&] { return given_options(*chosen.front()); };
-  if (name == "draw") {
-    commands.draw.run.given = given();
-    run_draw(commands.draw);
-  } else if (name == "surface") {
-    commands.surface.run.given = given();
-    run_surface(commands.surface);
-  } else if (name == "compile") {
-    run_compile(commands.compile);
-  } else if (name == "info") {
-    run_info(commands.info);
-  } else if (name == "compare") {
-    run_compare(commands.compare);
-  } else if (name == "methods") {
-    run_methods(commands.methods);
-  } else if (name == "plot") {
-    commands.plot.run.given = given();
-    run_plot(commands.plot);
-  } else if (name == "devices") {
-    run_devices(commands.devices);
-  } else {
-    throw UsageError(
-        "there is no command: draw, surface, plot, compile, info, compare, methods, devices or study; see ligne --help");
+  for (const Command& command : all_commands(commands)) {
+    if (command.name != name || !command.run) continue;
+    if (command.options) command.options->given = given_options(*chosen.front());
+    command.run();
+    return kDone;
   }
-  return kDone;
+  throw UsageError(
+      "there is no command: draw, surface, plot, compile, info, compare, methods, devices or study; see ligne --help");
 }
 
 }  // namespace

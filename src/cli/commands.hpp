@@ -36,9 +36,6 @@ struct SurfaceOptions {
   RunOptions run;
 };
 
-/// Adds the command with its options.
-CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options);
-
 /// The request that the options make. Throws UsageError and RequestError for options that exclude each other.
 SurfaceRequest checked_request(const SurfaceOptions& options, const MemoryLimit& memory);
 
@@ -172,22 +169,34 @@ struct Commands {
   SurfaceOptions surface;
 };
 
+struct Command {
+  std::string_view name;
+  std::function<void(CLI::App&)> set_up;  ///< adds the command with its options
+  std::function<void()> run;              ///< empty for the study
+  RunOptions* options = nullptr;          ///< gets the names of the given options; null for lists
+};
+
+/// All commands. They refer to `c`.
+inline std::vector<Command> all_commands(Commands& c) {
+  return {
+      {"draw", [&](CLI::App& app) { setup_draw(app, c.draw); }, [&] { run_draw(c.draw); }, &c.draw.run},
+      {"surface", [&](CLI::App& app) { setup_surface(app, c.surface); }, [&] { run_surface(c.surface); }, &c.surface.run},
+      {"plot", [&](CLI::App& app) { setup_plot(app, c.plot); }, [&] { run_plot(c.plot); }, &c.plot.run},
+      {"compile", [&](CLI::App& app) { setup_compile(app, c.compile); }, [&] { run_compile(c.compile); }, &c.compile.run},
+      {"info", [&](CLI::App& app) { setup_info(app, c.info); }, [&] { run_info(c.info); }, &c.info.run},
+      {"compare", [&](CLI::App& app) { setup_compare(app, c.compare); }, [&] { run_compare(c.compare); }, &c.compare.run},
+      {"methods", [&](CLI::App& app) { setup_methods(app, c.methods); }, [&] { run_methods(c.methods); }},
+      {"devices", [&](CLI::App& app) { setup_devices(app, c.devices); }, [&] { run_devices(c.devices); }},
+      {"study", add_study_command, {}}};
+}
+
 /// Adds the commands to the program; `commands` must outlive the parse. Only the command of the name `chosen` if there is
 /// one: adding hundreds of options takes milliseconds.
 inline void setup_commands(CLI::App& app, Commands& commands, std::string_view chosen = {}) {
-  const std::pair<std::string_view, std::function<void()>> setups[] = {
-      {"draw", [&] { setup_draw(app, commands.draw); }},
-      {"surface", [&] { setup_surface(app, commands.surface); }},
-      {"plot", [&] { setup_plot(app, commands.plot); }},
-      {"compile", [&] { setup_compile(app, commands.compile); }},
-      {"info", [&] { setup_info(app, commands.info); }},
-      {"compare", [&] { setup_compare(app, commands.compare); }},
-      {"methods", [&] { setup_methods(app, commands.methods); }},
-      {"devices", [&] { setup_devices(app, commands.devices); }},
-      {"study", [&] { add_study_command(app); }}};
-  const bool is_command = std::ranges::any_of(setups, [&](const auto& setup) { return setup.first == chosen; });
-  for (const auto& [name, setup] : setups) {
-    if (!is_command || name == chosen) setup();
+  const std::vector<Command> all = all_commands(commands);
+  const bool is_command = std::ranges::count(all, chosen, &Command::name) > 0;
+  for (const Command& command : all) {
+    if (!is_command || command.name == chosen) command.set_up(app);
   }
 }
 

@@ -1,10 +1,10 @@
 #include "cli/console.hpp"
 
-#include <unistd.h>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <string>
+
+#include <unistd.h>
 
 #include "cli/options/option_groups.hpp"
 #include "files/message_text.hpp"

@@ -5,7 +5,6 @@
 #include "cli/options/option_groups.hpp"
 #include "cli/options/options.hpp"
 #include "files/named_input.hpp"
-#include "picture/draw_scene.hpp"
 #include "picture/parse/parse.hpp"
 #include "report/compare.hpp"
 #include "report/compare_output.hpp"

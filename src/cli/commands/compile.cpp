@@ -1,7 +1,6 @@
-#include "cli/commands.hpp"
-
 #include <utility>
 
+#include "cli/commands.hpp"
 #include "cli/options/options.hpp"
 #include "files/named_input.hpp"
 #include "picture/errors.hpp"
@@ -44,10 +43,8 @@ void setup_compile(CLI::App& app, CompileOptions& options) {
   add_model_options(command, options.model);
   add_compile_options(command, options.method, options.choice);
   OptionGroup(command, "Lines")
-      .add(
-          "--quality", "HOW", options.model.quality,
-          [](const std::string& text) { return static_cast<Quality>(parse_choice(text, kQualityNames)); },
-          "clear: repair the model as for clear lines; exact: keep it as stored")
+      .add("--quality", "HOW", options.model.quality, parse_word<Quality>(kQualityNames),
+           "clear: repair the model as for clear lines; exact: keep it as stored")
       .standard("clear");
   OptionGroup(command, "Output")
       .add("-o,--output", "FILE", options.output, parse_file_name, "file to write; - is standard output");

@@ -9,7 +9,6 @@
 #include "cli/options/options.hpp"
 #include "files/message_text.hpp"
 #include "files/named_input.hpp"
-#include "picture/requests.hpp"
 #include "picture/clear/clear_creases.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/errors.hpp"
@@ -20,6 +19,7 @@
 #include "picture/parts.hpp"
 #include "picture/products.hpp"
 #include "picture/raster/zbuffer_picture.hpp"
+#include "picture/requests.hpp"
 #include "picture/surface/mixed_scene.hpp"
 #include "scene/surfaces/grids/point_table.hpp"
 #include "visibility/registry.hpp"
@@ -33,25 +33,18 @@ constexpr unsigned kMostSamplesOfCurve = 2000;
 
 void add_mixed_scene_options(CLI::App& draw, SurfaceRequest& request) {
   OptionGroup group(draw, "Surfaces");
-  group.add_repeatable(
-      "--surface", "EXPR", [&request](const std::string& formula) { request.formulas.push_back(formula); },
-      "draw a surface z = f(x, y) among the models, as curves (repeatable)");
-  group.add_repeatable(
-      "--grid", "FILE", [&request](const std::string& file) { request.grids.push_back(file); },
-      "draw a surface with heights from a file; see ligne surface (repeatable)");
+  group.add_each("--surface", "EXPR", request.formulas, std::identity(),
+                 "draw a surface z = f(x, y) among the models, as curves (repeatable)");
+  group.add_each("--grid", "FILE", request.grids, std::identity(),
+                 "draw a surface with heights from a file; see ligne surface (repeatable)");
   add_parametric(group, request, "draw a surface given by three formulas in u and v (repeatable)");
   group.add("-x", "A:B[:N]", request.x, parse_range, "range of x and number of curves (default: the extent of the models)");
   group.add("-y", "A:B[:N]", request.y, parse_range, "range of y, likewise");
   add_parameter_ranges(group, request);
-  group
-      .add(
-          "--samples", "N", request.samples, [](const std::string& t) { return parse_count(t, 2, kMostSamplesOfCurve); },
-          "formula: points per curve")
+  group.add("--samples", "N", request.samples, count_between(2, kMostSamplesOfCurve), "formula: points per curve")
       .standard("5 between curves");
   group
-      .add(
-          "--every", "N", request.every, [](const std::string& t) { return parse_count(t, 1, kMostSamplesOfCurve); },
-          "grid: a curve at every Nth row and column")
+      .add("--every", "N", request.every, count_between(1, kMostSamplesOfCurve), "grid: a curve at every Nth row and column")
       .standard("60 curves each way");
   group.add("--z-scale", "K", request.z_scale, parse_positive, "scale factor for the heights of surfaces").standard("1");
   group.add("--z-range", "A:B", request.z_range, parse_heights, "clip surfaces to heights A to B");
@@ -76,10 +69,8 @@ void add_frame_options(CLI::App& app, DrawOptions& options) {
   constexpr double kMostDegrees = 36'000;
   OptionGroup group(app, "View");
   const Option frames = group
-                            .add(
-                                "--frames", "N", options.frames.count,
-                                [](const std::string& text) { return parse_count(text, 2, kMostFrames); },
-                                "N views of the rotating model: files -o name%03d.svg, or the pages of one PDF")
+                            .add("--frames", "N", options.frames.count, count_between(2, kMostFrames),
+                                 "N views of the rotating model: files -o name%03d.svg, or the pages of one PDF")
                             .standard("one view");
   const Option turn =
       group
@@ -300,11 +291,9 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
   add_plotter_options(draw, options.plotter);
   add_run_options(draw, options.run);
   OptionGroup(draw, "Work")
-      .add(
-          "--stream", "HOW", options.streaming,
-          [](const std::string& text) { return static_cast<Streaming>(parse_choice(text, kStreamingNames)); },
-          "read binary STL and PLY (with --quality exact) in several passes instead of into memory: on, off; auto: if the "
-          "model would take more than half of --max-memory")
+      .add("--stream", "HOW", options.streaming, parse_word<Streaming>(kStreamingNames),
+           "read binary STL and PLY (with --quality exact) in several passes instead of into memory: on, off; auto: if the "
+           "model would take more than half of --max-memory")
       .standard("auto");
 }
 

@@ -1,16 +1,15 @@
-#include "cli/commands.hpp"
-
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/options/options.hpp"
 #include "files/named_input.hpp"
-#include "picture/requests.hpp"
 #include "picture/parse/parse_options.hpp"
 #include "picture/products.hpp"
+#include "picture/requests.hpp"
 #include "plotting/writers/output_file.hpp"
 #include "report/listing.hpp"
 #include "report/scene_info.hpp"

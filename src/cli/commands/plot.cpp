@@ -1,9 +1,8 @@
-#include "cli/commands.hpp"
-
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
 
+#include "cli/commands.hpp"
 #include "cli/options/option_groups.hpp"
 #include "cli/options/options.hpp"
 #include "picture/pages/frames.hpp"
@@ -29,11 +28,7 @@ void add_placing_options(CLI::App& app, PlotDrawingRequest& options) {
       .standard("the drawing's");
   const Option landscape = group.add_flag("--landscape", options.landscape, "landscape page");
   const Option portrait = group.add_flag("--portrait", options.portrait, "portrait page");
-  group
-      .add(
-          "--margin", "LEN", options.margin_mm, [](const std::string& t) { return parse_length_mm(t); },
-          "page margin, with --scale fit")
-      .standard("10mm");
+  group.add("--margin", "LEN", options.margin_mm, parse_length_mm, "page margin, with --scale fit").standard("10mm");
   group.add("--pen-width", "LEN", options.pen_width_mm, parse_pen_width, "line width, unless a pen has its own")
       .standard("the drawing's");
   add_width_option(app, options.widths_mm, false);
@@ -154,9 +149,8 @@ void setup_plot(CLI::App& app, PlotCommandOptions& options) {
       "--material", "NAME=COLOUR", [&options](const std::string& text) { parse_material(text, options.request.paint); },
       "with --fill material or shade: replace the colour of a material; repeatable");
   input
-      .add(
-          "--min-length", "LEN", options.plotter.choice.request.min_length_mm,
-          [](const std::string& t) { return parse_length_mm(t); }, "omit strokes shorter than LEN, after joining")
+      .add("--min-length", "LEN", options.plotter.choice.request.min_length_mm, parse_length_mm,
+           "omit strokes shorter than LEN, after joining")
       .standard("0");
   input.add_flag_with_text(
       "--occlude", options.occlude,

@@ -1,11 +1,10 @@
-#include "cli/commands.hpp"
-
 #include <array>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/options/options.hpp"
 #include "picture/parse/parse_options.hpp"
@@ -112,27 +111,21 @@ void add_annotation_options(CLI::App& surface, SurfaceRequest& request) {
       "a space curve given by three formulas in t; surfaces can hide it; Z may be the word surface: on the surface "
       "(repeatable)");
   group
-      .add_repeatable(
-          "-t", "A:B[:N]", [&request](const std::string& text) { request.t.push_back(parse_range(text)); },
-          "range of t and number of segments (repeatable: for the next curve)")
+      .add_each("-t", "A:B[:N]", request.t, parse_range,
+                "range of t and number of segments (repeatable: for the next curve)")
       .standard("0:2*pi:600");
-  group.add_repeatable(
-      "--points", "FILE", [&request](const std::string& file) { request.point_files.push_back(file); },
+  group.add_each(
+      "--points", "FILE", request.point_files, std::identity(),
       "markers at the visible points of a table or of arrays: x, y, optional z (default: on the surface), optional label "
       "(repeatable)");
-  group.add_repeatable(
-      "--path", "FILE", [&request](const std::string& file) { request.line_files.push_back(file); },
-      "polylines through the points of a table, separated by blank lines (repeatable)");
-  group.add_text(
-      "--colors", "COLOUR,...", [&request](const std::string& text) { request.colors = parse_colors(text); },
-      "colours of the surfaces in their order, or of the bands");
-  group.add_text(
-      "--bands", "N|Z,...", [&request](const std::string& text) { request.bands = parse_bands(text); },
-      "colours by height: N bands of equal height, or bands between the heights Z");
+  group.add_each("--path", "FILE", request.line_files, std::identity(),
+                 "polylines through the points of a table, separated by blank lines (repeatable)");
+  group.add("--colors", "COLOUR,...", request.colors, parse_colors,
+            "colours of the surfaces in their order, or of the bands");
+  group.add("--bands", "N|Z,...", request.bands, parse_bands,
+            "colours by height: N bands of equal height, or bands between the heights Z");
   group.add_flag("--legend", request.legend, "a legend of the surfaces, curves or bands below the picture");
-  group.add_repeatable(
-      "--name", "TEXT", [&request](const std::string& text) { request.names.push_back(text); },
-      "text of the next legend entry (repeatable)");
+  group.add_each("--name", "TEXT", request.names, std::identity(), "text of the next legend entry (repeatable)");
   for (int k = 0; k < 3; ++k) {
     const std::string axis(1, "xyz"[k]);
     auto& names = request.picture.axes.categories[static_cast<std::size_t>(k)];
@@ -163,8 +156,6 @@ void protect_formulas(std::vector<std::string>& arguments) {
     if (is_formula(argument, language)) argument = "(" + argument + ")";
   }
 }
-
-void setup_surface(CLI::App& app, SurfaceOptions& options) { add_surface_command(app, options); }
 
 void run_surface(const SurfaceOptions& options) {
   const MemoryLimit memory = options.run.memory();

@@ -1,12 +1,10 @@
-#include "cli/commands.hpp"
-
 #include <stdexcept>
 #include <string>
 
+#include "cli/commands.hpp"
 #include "cli/options/options.hpp"
 #include "files/closest_name.hpp"
 #include "files/message_text.hpp"
-#include "picture/draw_scene.hpp"
 #include "picture/hatching/hatching.hpp"
 #include "picture/parse/parse.hpp"
 #include "picture/parse/parse_options.hpp"
@@ -16,6 +14,15 @@
 
 namespace ligne {
 namespace {
+
+/// Takes an optional number: sets `given`, and `target` if there is a number.
+template <class Target>
+auto flag_with_number(bool& given, Target& target) {
+  return [&given, &target](const std::string& text) {
+    given = true;
+    if (!text.empty()) target = parse_number(text);
+  };
+}
 
 /// Options of ligne surface for the lengths of its axes.
 
@@ -39,14 +46,8 @@ void add_surface_scale_options(CLI::App& surface, SurfaceRequest& request) {
 
 /// Options of ligne surface for lines in addition to the curves, and for their occluder.
 
-/// A parser that accepts one of the words, which name the values of Enum in order.
-template <class Enum, std::size_t N>
-auto parse_word(const std::string_view (&words)[N]) {
-  return [&words](const std::string& text) { return static_cast<Enum>(parse_choice(text, words)); };
-}
-
 constexpr std::string_view kOutlineNames[] = {"off", "on"}, kUndersideNames[] = {"same", "apart", "none"},
-                           kHiddenByNames[] = {"surface", "curves"};
+                           kHiddenByNames[] = {"surface", "curves"}, kHorizonNames[] = {"exact", "pixels"};
 
 void add_curve_options(CLI::App& app, CurveRequest& request) {
   OptionGroup group(app, "Curves");
@@ -56,11 +57,7 @@ void add_curve_options(CLI::App& app, CurveRequest& request) {
       "Z,)");
   group.add("--contour-step", "DZ", request.contour_step, parse_positive, "contour lines at all multiples of DZ");
   group.add_flag_or_value(
-      "--contours-base", "[Z]",
-      [&request](const std::string& text) {
-        request.contours_base = true;
-        if (!text.empty()) request.contour_base = parse_number(text);
-      },
+      "--contours-base", "[Z]", flag_with_number(request.contours_base, request.contour_base),
       "contour lines on a plane at height Z (default: lowest height minus 30 % of the range); without --contours: 10 lines, "
       "only there");
   group.add("--outline", "on|off", request.outline, parse_word<bool>(kOutlineNames),
@@ -73,13 +70,8 @@ void add_curve_options(CLI::App& app, CurveRequest& request) {
       .add("--hidden-by", "surface|curves", request.hidden_by, parse_word<HiddenBy>(kHiddenByNames),
            "what hides: the surface with all its samples, or only the drawn curves, as in the classical method")
       .standard("surface");
-  group.add_flag_or_value(
-      "--ridgeline", "[K]",
-      [&request](const std::string& text) {
-        request.ridgeline = true;
-        if (!text.empty()) request.ridgeline_overlap = parse_number(text);
-      },
-      "ridgeline plot, as on the cover of Unknown Pleasures; heights span K rows (default: 6)");
+  group.add_flag_or_value("--ridgeline", "[K]", flag_with_number(request.ridgeline, request.ridgeline_overlap),
+                          "ridgeline plot, as on the cover of Unknown Pleasures; heights span K rows (default: 6)");
 }
 
 constexpr unsigned kMostSamples = 1'000'000, kHighestResolution = 1'000'000, kResolution = 2000,
@@ -121,23 +113,17 @@ void check_engines(const SurfaceOptions& options, const SurfaceRequest& request)
 
 /// Adds the options for reading files of grids and tables.
 void add_grid_options(OptionGroup& group, SurfaceRequest& request) {
-  group.add(
-      "--gridded", "N", request.gridded, [](const std::string& t) { return parse_count(t, 2, kMostCurves); },
-      "scattered points: columns of the sampling grid (default: square root of their number, 100 to 500)");
-  group.add_text(
-      "--using", "X:Y:Z|Z", [&request](const std::string& text) { request.using_columns = parse_columns(text); },
-      "grid, table: columns of x, y and z, or of z alone, by name or by number from 1");
-  group.add(
-      "--index", "N", request.data_set, [](const std::string& t) { return parse_count(t, 0, kMostDataSets); },
-      "grid: number of the data set to draw, from 0, in a text with two blank lines between data sets (default: all)");
+  group.add("--gridded", "N", request.gridded, count_between(2, kMostCurves),
+            "scattered points: columns of the sampling grid (default: square root of their number, 100 to 500)");
+  group.add("--using", "X:Y:Z|Z", request.using_columns, parse_columns,
+            "grid, table: columns of x, y and z, or of z alone, by name or by number from 1");
+  group.add("--index", "N", request.data_set, count_between(0, kMostDataSets),
+            "grid: number of the data set to draw, from 0, in a text with two blank lines between data sets (default: all)");
   group.add(
       "--layout", "matrix|frame|series|columns", request.layout, parse_layout,
       "grid, layout of a table. matrix: only heights; frame: first row and column are positions; series: first column is "
       "positions; columns: x, y and z (default: detected)");
-  group
-      .add(
-          "--band", "N", request.band, [](const std::string& t) { return parse_count(t, 1, kMostBands); },
-          "grid: raster band that has the heights")
+  group.add("--band", "N", request.band, count_between(1, kMostBands), "grid: raster band that has the heights")
       .standard("1");
   group.add("--ground", "metres|degrees", request.ground, parse_ground,
             "unit of the positions of a grid: that of the heights, or degrees (default: from the file)");
@@ -147,8 +133,8 @@ void add_grid_options(OptionGroup& group, SurfaceRequest& request) {
 void add_source_options(CLI::App& surface, SurfaceRequest& request) {
   add_arguments(surface, "EXPR", request.formulas, false, "formulas in x and y; also r and theta (polar), pi, e");
   OptionGroup group(surface, "Surface");
-  group.add_repeatable(
-      "--grid", "FILE", [&request](const std::string& file) { request.grids.push_back(file); },
+  group.add_each(
+      "--grid", "FILE", request.grids, std::identity(),
       "heights from a file, - for standard input: CSV or TSV matrix, table, lines of x y z, ESRI ASCII grid, PGM, PNG, "
       "GeoTIFF (repeatable)");
   add_parametric(group, request, "a surface as three formulas in u and v (repeatable)");
@@ -157,9 +143,8 @@ void add_source_options(CLI::App& surface, SurfaceRequest& request) {
   group.add("-y", "A:B[:N]", request.y, parse_range, "range of y, likewise").standard("-5:5:40");
   add_parameter_ranges(group, request);
   group
-      .add(
-          "--samples", "N", request.samples, [](const std::string& t) { return parse_count(t, 2, kMostSamples); },
-          "points per curve, rounded up so that crossings with the other family are among them")
+      .add("--samples", "N", request.samples, count_between(2, kMostSamples),
+           "points per curve, rounded up so that crossings with the other family are among them")
       .standard("5 between curves, up to 1000");
   group
       .add("--every", "N|auto", request.every, parse_every,
@@ -167,19 +152,12 @@ void add_source_options(CLI::App& surface, SurfaceRequest& request) {
       .standard("auto");
   add_grid_options(group, request);
   group
-      .add(
-          "--lines", "x|y|xy|none", request.lines,
-          [](const std::string& t) { return static_cast<CurveFamilies>(parse_choice(t, kCurveFamilyNames)); },
-          "curves to draw: of constant x, of constant y, both, or none (only contours and outlines)")
+      .add("--lines", "x|y|xy|none", request.lines, parse_word<CurveFamilies>(kCurveFamilyNames),
+           "curves to draw: of constant x, of constant y, both, or none (only contours and outlines)")
       .standard("xy");
   group.add("--z-range", "A:B", request.z_range, parse_heights, "clip the surface to heights A to B");
-  group.add_flag_or_value(
-      "--skirt", "[Z]",
-      [&request](const std::string& text) {
-        request.skirt = true;
-        if (!text.empty()) request.skirt_base = parse_number(text);
-      },
-      "walls from the border down to height Z (default: lowest height minus 5 % of the range)");
+  group.add_flag_or_value("--skirt", "[Z]", flag_with_number(request.skirt, request.skirt_base),
+                          "walls from the border down to height Z (default: lowest height minus 5 % of the range)");
 }
 
 /// Adds --method and --hidden.
@@ -207,18 +185,12 @@ void add_method_choice(CLI::App& surface, SurfaceOptions& options) {
 void add_horizon_options(CLI::App& surface, SurfaceOptions& options) {
   OptionGroup group(surface, "Surface");
   group
-      .add(
-          "--horizon", "exact|pixels", options.pixels,
-          [](const std::string& t) {
-            constexpr std::string_view kNames[] = {"exact", "pixels"};
-            return parse_choice(t, kNames) == 1;
-          },
-          "the horizon as exact polylines, or as an array of pixels")
+      .add("--horizon", "exact|pixels", options.pixels, parse_word<bool>(kHorizonNames),
+           "the horizon as exact polylines, or as an array of pixels")
       .standard("exact");
   group
-      .add(
-          "--resolution", "N", options.resolution,
-          [](const std::string& t) { return parse_count(t, 1, kHighestResolution); }, "pixels: columns across the picture")
+      .add("--resolution", "N", options.resolution, count_between(1, kHighestResolution),
+           "pixels: columns across the picture")
       .standard("2000");
 }
 
@@ -275,7 +247,7 @@ SurfaceRequest checked_request(const SurfaceOptions& options, const MemoryLimit&
   return request;
 }
 
-CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
+void setup_surface(CLI::App& app, SurfaceOptions& options) {
   CLI::App* surface =
       add_command(app, "surface", "Draw surfaces z = f(x,y) as curves with hidden lines removed", kSurfaceExamples);
   SurfaceRequest& request = options.request;
@@ -301,7 +273,6 @@ CLI::App* add_surface_command(CLI::App& app, SurfaceOptions& options) {
   add_title_option(*surface, picture.output.title, "title above the picture, and of the document");
   add_plotter_options(*surface, options.plotter);
   add_run_options(*surface, options.run);
-  return surface;
 }
 
 }  // namespace ligne

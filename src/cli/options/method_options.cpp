@@ -162,12 +162,8 @@ constexpr OptionUse kUses[] = {
 };
 
 std::vector<std::string_view> words_of(std::string_view text) {
-  std::vector<std::string_view> words;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    if (end > 0) words.push_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
+  std::vector<std::string_view> words = split(text, ' ');
+  std::erase(words, "");
   return words;
 }
 

@@ -111,10 +111,6 @@ std::vector<std::string> given_options(const CLI::App& command) {
   return given;
 }
 
-void add_argument(CLI::App& command, const std::string& name, std::string& target, const std::string& help) {
-  command.add_option(name, target, help)->required()->type_name("");
-}
-
 void add_arguments(CLI::App& command, const std::string& name, std::vector<std::string>& target, bool required,
                    const std::string& help) {
   command.add_option(name, target, help)->required(required)->type_name("");

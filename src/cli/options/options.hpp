@@ -7,8 +7,11 @@
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
+
+#include "picture/parse/parse.hpp"
 
 namespace CLI {
 class App;
@@ -60,6 +63,13 @@ class OptionGroup {
   /// A repeatable option with one value each time.
   Option add_repeatable(const std::string& names, const std::string& kind, std::function<void(const std::string&)> take,
                         const std::string& help);
+  /// A repeatable option that appends the result of `parser` to `targets`.
+  template <class Item, class Parser>
+  Option add_each(const std::string& names, const std::string& kind, std::vector<Item>& targets, Parser parser,
+                  const std::string& help) {
+    const auto take = [&targets, parser = std::move(parser)](const std::string& text) { targets.push_back(parser(text)); };
+    return add_repeatable(names, kind, take, help);
+  }
   /// A repeatable option with `count` values each time.
   Option add_repeatable_tuple(const std::string& names, const std::string& kind, int count,
                               std::function<void(const std::vector<std::string>&)> take, const std::string& help);
@@ -77,6 +87,17 @@ class OptionGroup {
   std::string name_;
 };
 
+/// A parser that accepts one of the words, which name the values of Enum in order.
+template <class Enum, std::size_t N>
+auto parse_word(const std::string_view (&words)[N]) {
+  return [&words](const std::string& text) { return static_cast<Enum>(parse_choice(text, words)); };
+}
+
+/// A parser of whole numbers from `low` to `high`.
+inline auto count_between(unsigned low, unsigned high) {
+  return [low, high](const std::string& text) { return parse_count(text, low, high); };
+}
+
 /// Adds a command. `help` is one line.
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& help, const std::string& footer);
 
@@ -84,7 +105,6 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
 std::vector<std::string> given_options(const CLI::App& command);
 
 /// Adds positional arguments.
-void add_argument(CLI::App& command, const std::string& name, std::string& target, const std::string& help);
 void add_arguments(CLI::App& command, const std::string& name, std::vector<std::string>& target, bool required,
                    const std::string& help);
 

@@ -1,8 +1,7 @@
-#include "cli/options/option_groups.hpp"
-
 #include <vector>
 
 #include "cli/console.hpp"
+#include "cli/options/option_groups.hpp"
 #include "cli/options/options.hpp"
 #include "files/message_text.hpp"
 #include "files/named_input.hpp"
@@ -14,6 +13,7 @@ namespace ligne {
 namespace {
 
 constexpr std::string_view kAxesStyleNames[] = {"back", "grid", "box", "base"};
+constexpr std::string_view kGroupNames[] = {"none", "object"};
 constexpr std::string_view kTextStyleNames[] = {"font", "stroke"};
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
 constexpr double kHighestTextMm = 1000;
@@ -61,23 +61,18 @@ void add_model_options(CLI::App& app, ModelRequest& request) {
   parts.add_repeatable("--only", "NAME,...", add_names(request.parts.only),
                        "draw only these objects; names may contain the wildcards * ? []; repeatable");
   parts.add_repeatable("--hide", "NAME,...", add_names(request.parts.hide), "do not draw these objects; repeatable");
-  parts.add_repeatable(
-      "--move", "NAME=X,Y,Z", [&request](const std::string& text) { request.parts.moves.push_back(parse_move(text)); },
-      "translate an object, in model units or with a unit, for exploded views; repeatable");
+  parts.add_each("--move", "NAME=X,Y,Z", request.parts.moves, parse_move,
+                 "translate an object, in model units or with a unit, for exploded views; repeatable");
 }
 
 void add_part_drawing_options(CLI::App& app, OutputRequest& request) {
-  constexpr std::string_view kGroupNames[] = {"none", "object"};
   OptionGroup parts(app, "Parts");
   parts
-      .add(
-          "--group", "HOW", request.group_objects,
-          [kGroupNames](const std::string& text) { return parse_choice(text, kGroupNames) == 1; },
-          "none, or object. SVG: divide each layer into groups by object; JSON: store the object of each stroke")
+      .add("--group", "HOW", request.group_objects, parse_word<bool>(kGroupNames),
+           "none, or object. SVG: divide each layer into groups by object; JSON: store the object of each stroke")
       .standard("none");
-  parts.add_repeatable(
-      "--color", "NAME=COLOUR", [&request](const std::string& text) { request.colors.push_back(parse_object_color(text)); },
-      "colour of the lines of an object: #rrggbb, or a name such as red; repeatable");
+  parts.add_each("--color", "NAME=COLOUR", request.colors, parse_object_color,
+                 "colour of the lines of an object: #rrggbb, or a name such as red; repeatable");
 }
 
 Stage reading_of(const ModelRequest& request) {
@@ -145,9 +140,7 @@ void add_page_options(CLI::App& app, PageRequest& request) {
       group.add_flag("--landscape", request.landscape, "landscape page (default: the orientation that fits better)");
   const Option portrait = group.add_flag("--portrait", request.portrait, "portrait page");
   group
-      .add(
-          "--margin", "LEN", request.margin_mm, [](const std::string& t) { return parse_length_mm(t); },
-          "page margin in mm, cm, in or pt (mm if no unit is given)")
+      .add("--margin", "LEN", request.margin_mm, parse_length_mm, "page margin in mm, cm, in or pt (mm if no unit is given)")
       .standard("10mm");
   group.add("--pen-width", "LEN", request.pen_width_mm, parse_pen_width, "width of outlines").standard("0.35mm");
   add_width_option(app, request.widths_mm, true);
@@ -165,9 +158,8 @@ void add_fill_options(CLI::App& app, FillRequest& request) {
            "fill visible faces: none material shade paper random; needs a method that gives regions, an order, spans or "
            "pixels")
       .standard("none");
-  group.add_repeatable(
-      "--light", "X,Y,Z", [&request](const std::string& text) { request.lights.push_back(parse_vector(text)); },
-      "direction of a parallel light that casts shadows; repeatable");
+  group.add_each("--light", "X,Y,Z", request.lights, parse_vector,
+                 "direction of a parallel light that casts shadows; repeatable");
 }
 
 void add_hatch_options(CLI::App& app, HatchRequest& request) {
@@ -201,17 +193,16 @@ void add_axes_options(CLI::App& app, AxesChoice& choice, std::string& style) {
       "--axes", style,
       "axes with ticks and numbers, and the back edges of the plot box; --axes=grid: also grid lines, --axes=box: all "
       "edges, --axes=base: only edges of the ground");
-  const auto as_written = [](const std::string& text) { return text; };
   for (int k = 0; k < 3; ++k) {
     const std::string axis = kAxisNames[k];
-    group.add("--" + axis + "-label", "TEXT", choice.names[k], as_written, "name of the " + axis + " axis; empty for none")
+    group
+        .add("--" + axis + "-label", "TEXT", choice.names[k], std::identity(),
+             "name of the " + axis + " axis; empty for none")
         .standard(axis);
   }
   group
-      .add(
-          "--text", "font|stroke", choice.text,
-          [](const std::string& t) { return static_cast<TextStyle>(parse_choice(t, kTextStyleNames)); },
-          "text in an outline font, or in a single-stroke font for pens")
+      .add("--text", "font|stroke", choice.text, parse_word<TextStyle>(kTextStyleNames),
+           "text in an outline font, or in a single-stroke font for pens")
       .standard("font");
   group.add("--text-height", "LEN", choice.text_height_mm, parse_text_height, "height of capital letters")
       .standard("2.5mm on A4");
@@ -240,15 +231,10 @@ void add_parametric(OptionGroup& group, SurfaceRequest& request, const std::stri
 
 void add_parameter_ranges(OptionGroup& group, SurfaceRequest& request) {
   group
-      .add_repeatable(
-          "-u", "A:B[:N]", [&request](const std::string& text) { request.u.push_back(parse_range(text)); },
-          "range of u of a parametric surface and number of curves (repeatable: for the next surface)")
+      .add_each("-u", "A:B[:N]", request.u, parse_range,
+                "range of u of a parametric surface and number of curves (repeatable: for the next surface)")
       .standard("0:2*pi:40");
-  group
-      .add_repeatable(
-          "-v", "A:B[:N]", [&request](const std::string& text) { request.v.push_back(parse_range(text)); },
-          "range of v, likewise")
-      .standard("0:2*pi:40");
+  group.add_each("-v", "A:B[:N]", request.v, parse_range, "range of v, likewise").standard("0:2*pi:40");
 }
 
 }  // namespace ligne

@@ -1,10 +1,9 @@
-#include "cli/options/option_groups.hpp"
-
 #include <cstdio>
 #include <system_error>
 #include <utility>
 
 #include "cli/console.hpp"
+#include "cli/options/option_groups.hpp"
 #include "cli/options/options.hpp"
 #include "files/message_text.hpp"
 #include "picture/pages/frames.hpp"
@@ -64,9 +63,7 @@ void RunFiles::were_read(const InputFiles& files) {
 
 void add_run_options(CLI::App& app, RunOptions& options) {
   OptionGroup group(app, "Work");
-  group.add(
-      "--threads", "N", options.threads, [](const std::string& text) { return parse_count(text, 1, kMostThreads); },
-      "number of threads (default: all cores)");
+  group.add("--threads", "N", options.threads, count_between(1, kMostThreads), "number of threads (default: all cores)");
   group
       .add("--max-memory", "SIZE", options.max_memory, parse_memory,
            "stop with an error above this memory, such as 500M or 2G; none: no limit")
@@ -74,10 +71,8 @@ void add_run_options(CLI::App& app, RunOptions& options) {
   group.add_flag("--stats", options.stats, "print counts and times of the method to standard error");
   group.add("--stats-json", "FILE", options.stats_json, parse_file_name, "write the counts and times to FILE as JSON");
   group
-      .add(
-          "--progress", "WHEN", options.progress,
-          [](const std::string& text) { return static_cast<ShowProgress>(parse_choice(text, kShowProgressNames)); },
-          "show progress: auto always never; auto: on a terminal, if the work takes long")
+      .add("--progress", "WHEN", options.progress, parse_word<ShowProgress>(kShowProgressNames),
+           "show progress: auto always never; auto: on a terminal, if the work takes long")
       .standard("auto");
   group.add_flag("-q,--quiet", options.quiet, "print no warnings and no progress");
 }
@@ -122,16 +117,13 @@ void add_dpi_option(CLI::App& app, double& dpi) {
 
 void add_curves_option(CLI::App& app, std::optional<bool>& curves, const std::string& standard) {
   OptionGroup(app, "Output")
-      .add(
-          "--curves", "HOW", curves, [](const std::string& text) { return parse_choice(text, kSwitchNames) == 1; },
-          "SVG, PDF, PNG: replace tessellated circles and ellipses by curves: on off")
+      .add("--curves", "HOW", curves, parse_word<bool>(kSwitchNames),
+           "SVG, PDF, PNG: replace tessellated circles and ellipses by curves: on off")
       .standard(standard);
 }
 
 void add_title_option(CLI::App& app, std::string& title, const std::string& help) {
-  OptionGroup(app, "Output")
-      .add(
-          "--title", "TEXT", title, [](const std::string& text) { return text; }, help);
+  OptionGroup(app, "Output").add("--title", "TEXT", title, std::identity(), help);
 }
 
 void warn_of_suffix(const OutputOptions& options) {
@@ -173,15 +165,13 @@ void add_plotter_options(CLI::App& app, PlotterOptions& options) {
       "--pen", "TEXT", [&request](const std::string& text) { add_pen(request.pens, text); },
       "CLASS=N[,COLOUR[,WIDTH]]: draw a line class, material:NAME, object:NAME, shade:N or the rest with pen N; repeatable");
   group
-      .add(
-          "--optimize", "HOW", request.optimize,
-          [](const std::string& t) { return static_cast<Optimize>(parse_choice(t, kOptimizeNames)); },
-          "off; order: sort strokes to shorten travel; join: draw overlapping lines once and join ends; full: both")
+      .add("--optimize", "HOW", request.optimize, parse_word<Optimize>(kOptimizeNames),
+           "off; order: sort strokes to shorten travel; join: draw overlapping lines once and join ends; full: both")
       .standard("full for pens");
-  const auto length = [](const std::string& t) { return parse_length_mm(t); };
-  group.add("--join", "LEN", request.tolerances.ends_mm, length, "join ends within LEN of each other").standard("0.05mm");
+  group.add("--join", "LEN", request.tolerances.ends_mm, parse_length_mm, "join ends within LEN of each other")
+      .standard("0.05mm");
   group
-      .add("--simplify", "LEN", request.tolerances.simplify_mm, length,
+      .add("--simplify", "LEN", request.tolerances.simplify_mm, parse_length_mm,
            "largest distance by which simplifying may move a line")
       .standard("0.01mm");
   group.add_flag("--report", request.report,
