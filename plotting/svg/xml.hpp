@@ -1,5 +1,5 @@
 #pragma once
-/// What the XML parser leaves to do: internal entities, and names independent of a file's prefixes. Private to plotting.
+/// Work that the XML parser leaves: internal entities, and names independent of a file's prefixes. Private to plotting.
 
 #include <cstddef>
 #include <optional>

@@ -310,14 +310,15 @@ int run(int argc, char** argv) {
 
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   const std::string name = chosen.empty() ? "" : chosen.front()->get_name();
+  std::vector<std::string_view> names;
   for (const Command& command : all_commands(commands)) {
+    names.push_back(command.name);
     if (command.name != name || !command.run) continue;
     if (command.options) command.options->given = given_options(*chosen.front());
     command.run();
     return kDone;
   }
-  throw UsageError(
-      "there is no command: draw, surface, plot, compile, info, compare, methods, devices or study; see ligne --help");
+  throw UsageError("there is no command: " + list_of(names) + "; see ligne --help");
 }
 
 }  // namespace
