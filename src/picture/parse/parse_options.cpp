@@ -264,7 +264,7 @@ TableLayout parse_layout(const std::string& text) {
 
 std::vector<std::string> parse_columns(const std::string& text) {
   const std::vector<std::string_view> parts = split(text, ':');
-  const std::vector<std::string> columns(parts.begin(), parts.end());
+  std::vector<std::string> columns(parts.begin(), parts.end());
   if (std::ranges::count(columns, "") > 0 || (columns.size() != 1 && columns.size() != 3))
     throw std::invalid_argument(shown(text, '"') + " is not X:Y:Z, three columns, or Z, one of heights");
   return columns;
