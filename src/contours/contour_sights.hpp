@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "base/keyed_lists.hpp"
+#include "base/index_lists.hpp"
 #include "contours/contour_choice.hpp"
 
 namespace ligne {
@@ -30,7 +30,7 @@ class OutlineGraph {
   std::span<const End> at(std::uint32_t sector) const { return ends_[sector]; }
 
  private:
-  KeyedLists<End> ends_;
+  ListsOf<End> ends_;
 };
 
 /// A list of sectors without duplicates, in the order in which a search reached them. clear() takes constant time.

@@ -8,7 +8,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "base/keyed_lists.hpp"
+#include "base/index_lists.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "view/edge_classes.hpp"

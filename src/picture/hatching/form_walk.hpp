@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "base/keyed_lists.hpp"
+#include "base/index_lists.hpp"
 #include "base/no_index.hpp"
 #include "drawing/result_models.hpp"
 #include "picture/hatching/form_field.hpp"
@@ -47,7 +47,7 @@ class FormRegions {
   std::uint64_t cell(double x, double y) const;
 
   std::span<const Region> regions_;
-  KeyedLists<std::uint32_t> of_face_;  ///< regions of each face
+  IndexLists of_face_;  ///< regions of each face
   double cell_mm_;
   std::vector<Rim> rims_;
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;  ///< rims that meet the box of a cell

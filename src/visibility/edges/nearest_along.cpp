@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "base/keyed_lists.hpp"
+#include "base/index_lists.hpp"
 #include "base/parallel.hpp"
 
 namespace ligne {
@@ -127,7 +127,7 @@ class LineGrid {
   LineBox all_;
   double size_ = 1;
   int columns_ = 1;
-  KeyedLists<std::uint32_t> cells_;
+  IndexLists cells_;
 };
 
 /// The covers of all lines, by line. The tasks skip facets behind one that covers a whole line, but which ones they
@@ -179,7 +179,7 @@ class Covers {
 
   const std::vector<Facet>& facets_;
   std::vector<std::atomic<float>> depths_;  ///< per line: depth behind which everything is hidden
-  KeyedLists<Cover> covers_;
+  ListsOf<Cover> covers_;
 };
 
 void append(std::vector<SeenStretch>& stretches, double from, double to, std::uint32_t facet) {

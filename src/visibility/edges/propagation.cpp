@@ -6,7 +6,7 @@
 #include <optional>
 #include <tuple>
 
-#include "base/keyed_lists.hpp"
+#include "base/index_lists.hpp"
 #include "base/no_index.hpp"
 
 namespace ligne {
@@ -95,7 +95,7 @@ class Propagator {
   std::vector<SurfaceSide> sides_;
   BoxForest side_forest_;
   std::uint32_t side_root_ = 0;
-  KeyedLists<std::uint32_t> edges_of_;                  ///< candidate edges by vertex
+  IndexLists edges_of_;                                 ///< candidate edges by vertex
   std::vector<std::optional<Invisibility>> at_vertex_;  ///< not counting the faces at the vertex
   std::deque<std::uint32_t> open_;                      ///< vertices whose edges are to be followed
   std::vector<std::uint8_t> done_;

@@ -6,7 +6,7 @@
 #include <queue>
 #include <tuple>
 
-#include "base/keyed_lists.hpp"
+#include "base/index_lists.hpp"
 #include "base/parallel.hpp"
 #include "base/stop.hpp"
 #include "visibility/polygons/facet_order.hpp"
@@ -143,7 +143,7 @@ void resolve(const ProjectedScene& scene, const std::vector<Facet>& facets, cons
     ++(by_depths[i] ? sequence.by_depths : known[i] != 0 ? sequence.by_planes : sequence.left);
     if (known[i] != 0) ++waits_for[before(i)];
   }
-  const KeyedLists<std::uint32_t> later(faces.size(), [&](const auto& put) {
+  const IndexLists later(faces.size(), [&](const auto& put) {
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       if (known[i] != 0) put(behind(i), before(i));
     }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/keyed_lists.hpp"
+#include "base/index_lists.hpp"
 #include "base/parallel.hpp"
 
 namespace ligne {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <tuple>
 
-#include "base/keyed_lists.hpp"
+#include "base/index_lists.hpp"
 #include "base/parallel.hpp"
 #include "geometry/polygons/clip_contour_by_contour.hpp"
 #include "visibility/polygons/facet_order.hpp"
@@ -19,7 +19,7 @@ namespace ligne {
 namespace {
 
 /// Facets grouped by face, in the order of each face's first facet, so that neighbours on the page stay close.
-KeyedLists<std::uint32_t> group(const std::vector<Facet>& facets) {
+IndexLists group(const std::vector<Facet>& facets) {
   std::uint32_t face_count = 0;
   for (const Facet& f : facets) face_count = std::max(face_count, f.face + 1);
   constexpr std::uint32_t kNew = 0xffffffffu;
@@ -301,7 +301,7 @@ VisibleFaces find_visible_faces(const ProjectedScene& scene, const std::vector<F
   constexpr std::size_t kFacesPerTask = 256;
   VisibleFaces result;
   result.facet_touches.assign(facets.size(), 0);
-  const KeyedLists<std::uint32_t> faces = group(facets);
+  const IndexLists faces = group(facets);
   const std::size_t n = faces.size(), tasks = (n + kFacesPerTask - 1) / kFacesPerTask;
   std::vector<VisibleFaces> found(tasks);
   const std::vector<std::uint8_t> listed = grid.listed(facets.size());

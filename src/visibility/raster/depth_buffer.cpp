@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "base/keyed_lists.hpp"
+#include "base/index_lists.hpp"
 #include "base/parallel.hpp"
 #include "visibility/common/facet.hpp"
 #include "visibility/raster/convex_filler.hpp"
@@ -359,7 +359,7 @@ PaintCounts DepthBuffer::paint(const ProjectedScene& scene, const std::vector<Tr
   }
 
   // 2. Bands: the numbers of the pieces that meet each band of rows.
-  const KeyedLists<std::uint32_t> bands(block_count(grid_.height, kBandRows), [&](const auto& put) {
+  const IndexLists bands(block_count(grid_.height, kBandRows), [&](const auto& put) {
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
       for (std::size_t band = pieces[i].row_begin / kBandRows; band * kBandRows < pieces[i].row_end; ++band) put(band, i);
     }

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "base/disjoint_sets.hpp"
-#include "base/keyed_lists.hpp"
+#include "base/index_lists.hpp"
 #include "base/parallel.hpp"
 #include "geometry/convex_hull.hpp"
 #include "view/clip.hpp"
@@ -79,7 +79,7 @@ DisjointSets connect(const std::vector<Triangle>& triangles) {
 
 /// The triangles of each connected part. Parts join triangles of one face, and two triangles if no third one has their
 /// common side. So bodies that touch in an edge stay separate.
-KeyedLists<std::uint32_t> find_parts(const std::vector<Triangle>& triangles) {
+IndexLists find_parts(const std::vector<Triangle>& triangles) {
   DisjointSets sets = connect(triangles);
   const auto n = static_cast<std::uint32_t>(triangles.size());
   std::vector<std::uint32_t> part_of(n);
@@ -270,7 +270,7 @@ void plant_trees(Bodies& bodies) {
 Bodies find_bodies(const ProjectedScene& scene, double coincidence_steps) {
   Bodies bodies;
   PlacedModel model = place_model(scene);
-  const KeyedLists<std::uint32_t> parts = find_parts(model.page.triangles);
+  const IndexLists parts = find_parts(model.page.triangles);
   std::vector<FoundPart> found(parts.size());
   parallel_blocks(parts.size(), kPartsPerTask, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) found[p] = look_at(model, parts[p]);

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <optional>
 
-#include "base/keyed_lists.hpp"
+#include "base/index_lists.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/common/opaque_scene.hpp"
@@ -71,7 +71,7 @@ double longer_side_mm(const ProjectedScene& scene) {
 }
 
 /// The visible parts of the lines.
-using PartsByLine = KeyedLists<FoundPart>;
+using PartsByLine = ListsOf<FoundPart>;
 
 PartsByLine by_line(const std::vector<FoundPart>& found, std::size_t lines) {
   return {lines, [&](const auto& put) {

@@ -45,7 +45,7 @@ std::vector<double> depth_tolerances(const ProjectedScene& scene, const std::vec
 
 /// The edges of a scene, with the faces and lines that use them.
 std::vector<ScanEdge> make_edges(ScanScene& result, const std::vector<ProjectedVertex>& vertices,
-                                 const KeyedLists<SegmentUse>& sides) {
+                                 const ListsOf<SegmentUse>& sides) {
   const LineGrid& grid = result.grid;
   std::vector<ScanEdge> edges;
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {

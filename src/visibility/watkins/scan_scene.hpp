@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "base/keyed_lists.hpp"
+#include "base/index_lists.hpp"
 #include "visibility/common/facet.hpp"
 #include "visibility/raster/scan_conversion.hpp"
 #include "visibility/watkins/exact/sweep_scene.hpp"
@@ -25,8 +25,8 @@ namespace ligne::watkins {
 class FaceOrders {
  public:
   /// `skew`: faces that have no plane, or null. Depths decide between them and others.
-  FaceOrders(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets,
-             const KeyedLists<std::uint32_t>& of_faces, const SkewFaces* skew = nullptr)
+  FaceOrders(const std::vector<ProjectedVertex>& vertices, const std::vector<Facet>& facets, const IndexLists& of_faces,
+             const SkewFaces* skew = nullptr)
       : vertices_(vertices), facets_(facets), of_faces_(of_faces), skew_(skew) {}
 
   /// The result depends only on the two faces: of(b, a) is of(a, b) with exchanged roles.
@@ -45,7 +45,7 @@ class FaceOrders {
 
   const std::vector<ProjectedVertex>& vertices_;
   const std::vector<Facet>& facets_;
-  const KeyedLists<std::uint32_t>& of_faces_;
+  const IndexLists& of_faces_;
   const SkewFaces* skew_;
   std::unordered_map<std::uint64_t, DepthOrder> known_;  ///< by the lower, then the higher number; only looked up
   std::vector<Extent> extents_a_, extents_b_, open_;     ///< scratch of decide()
@@ -76,7 +76,7 @@ struct ScanScene {
   std::vector<std::uint32_t> edge_faces, edge_lines;
   std::vector<GridPlane> planes;        ///< by face; of a skew face: at its farthest corner
   std::vector<double> depth_tolerance;  ///< by face: maximum of its facets that are not edge-on
-  KeyedLists<std::uint32_t> of_faces;
+  IndexLists of_faces;
   std::uint32_t face_count = 0;
   const SkewFaces* skew = nullptr;  ///< faces without a plane and without facets; null: none
 

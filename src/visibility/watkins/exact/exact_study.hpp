@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "base/keyed_lists.hpp"
+#include "base/index_lists.hpp"
 #include "drawing/statistics.hpp"
 #include "visibility/common/open_parts.hpp"
 #include "visibility/watkins/exact/exact_sweep.hpp"
@@ -39,7 +39,7 @@ class FoundIntervals {
   const std::vector<LinePart>& visible_parts(std::size_t line, OpenParts& open) const;
 
  private:
-  KeyedLists<HiddenInterval> intervals_;  ///< by line
+  ListsOf<HiddenInterval> intervals_;  ///< by line
 };
 
 struct ExactResult {

@@ -18,7 +18,7 @@ LatticePoint point_of(std::uint64_t key) {
 }
 
 /// Adds one edge for all uses of a segment.
-void add_edges(const KeyedLists<SegmentUse>& by_point, SweepScene& scene) {
+void add_edges(const ListsOf<SegmentUse>& by_point, SweepScene& scene) {
   scene.first_start.assign(by_point.size() + 1, 0);
   for (std::size_t p = 0; p < by_point.size(); ++p) {
     scene.first_start[p] = static_cast<std::uint32_t>(scene.edges.size());

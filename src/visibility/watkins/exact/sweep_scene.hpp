@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "base/keyed_lists.hpp"
+#include "base/index_lists.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "visibility/common/facet.hpp"
@@ -53,8 +53,8 @@ struct SegmentUse {
 /// The uses of segments by the end with the lower number, sorted. for_each_use(use) calls use(end, end, line, index) for
 /// all.
 template <class ForEachUse>
-KeyedLists<SegmentUse> uses_by_end(std::size_t ends, const ForEachUse& for_each_use) {
-  KeyedLists<SegmentUse> uses(ends, [&](const auto& put) {
+ListsOf<SegmentUse> uses_by_end(std::size_t ends, const ForEachUse& for_each_use) {
+  ListsOf<SegmentUse> uses(ends, [&](const auto& put) {
     for_each_use([&](std::uint32_t a, std::uint32_t b, bool line, std::uint32_t index) {
       put(std::min(a, b), SegmentUse{std::max(a, b), line, index});
     });
@@ -68,8 +68,8 @@ struct SweepScene {
   std::vector<LatticePoint> points;  ///< the distinct ends of edges
   std::vector<SweepEdge> edges;
   std::vector<std::uint32_t>
-      first_start;                 ///< by point, plus one entry: edges [first_start[p], first_start[p + 1]) begin at p
-  KeyedLists<std::uint32_t> ends;  ///< edges by their bottom point
+      first_start;  ///< by point, plus one entry: edges [first_start[p], first_start[p + 1]) begin at p
+  IndexLists ends;  ///< edges by their bottom point
   std::vector<std::uint32_t> edge_facets, edge_lines;
 
   std::span<const std::uint32_t> facets_of(const SweepEdge& e) const {
