@@ -7,6 +7,7 @@ In the pages for readers, that is those in docs/ and in the top folder, also:
 - a line of prose has at most 100 columns; tables, code and lines that can not be broken are free;
 - "the thesis" stands in one sentence with the key of a source;
 - every key, such as [Appel1967], is defined in docs/bibliography.md.
+In docs/architecture.md the lines of C++ of each folder in the table of folders are right to a tenth.
 
 A fault is one line, FILE:LINE: what is wrong; the exit status is 1 then. Nothing but Python 3 is needed.
 """
@@ -22,6 +23,7 @@ DEFINITION = re.compile(r"\*\*\[([^\]]+)\]\*\*")
 THESIS = re.compile(r"\bthe\s+(?:French\s+)?thesis\b|\bthesis's", re.IGNORECASE)
 LINK = re.compile(r"\]\(([^)\s]+)\)|src=\"([^\"]+)\"")
 SENTENCE = re.compile(r"(?<=[.!?])[*)\"]*\s+(?=[A-Z\"*\[`(])|\s\|\s")
+FOLDER = re.compile(r"^\| `([\w/]+/)` \| ([\d,]+) \|")
 BLOCK = re.compile(r"^\s*(?:[-*]|\d+\.)\s|^\s*\||^#")
 
 
@@ -122,11 +124,25 @@ class Checker:
                 self.fault(page, number, "\"the thesis\" without the key of a source in its sentence")
             start = end
 
+    def check_folders(self, page, text):
+        rows = [(number, FOLDER.match(line)) for number, line in prose_lines(text)]
+        told = {row[1]: (number, int(row[2].replace(",", ""))) for number, row in rows if row}
+        if not told:
+            self.fault(page, 1, "no table tells the lines of folders")
+        for folder, (number, lines) in told.items():
+            others = [self.root / name for name in told if name != folder and name.startswith(folder)]
+            files = [f for f in (self.root / folder).rglob("*.[ch]pp") if not any(o in f.parents for o in others)]
+            counted = sum(len(f.read_text(encoding="utf-8").splitlines()) for f in files)
+            if abs(counted - lines) > max(counted / 10, 100):
+                self.fault(page, number, f"{folder} has {counted} lines, not {lines}")
+
     def check(self, page):
         text = page.read_text(encoding="utf-8")
         self.check_links(page, text)
         if page.parent != self.root and self.root / "docs" not in page.parents:
             return
+        if page == self.root / "docs/architecture.md":
+            self.check_folders(page, text)
         for number, line in prose_lines(text):
             self.check_paths(page, number, line)
             self.check_width(page, number, line)
