@@ -21,6 +21,7 @@
 #include "scene/model/bounds.hpp"
 #include "scene/model/faces_and_edges.hpp"
 #include "scene/model/planarity.hpp"
+#include "scene/model/topology.hpp"
 
 namespace ligne {
 namespace {
@@ -209,10 +210,31 @@ std::vector<Needle> needles_of(const Scene& scene, const Object& object, double 
   return all;
 }
 
+std::vector<Side> joined(const std::vector<std::vector<Side>>& lists) {
+  std::vector<Side> all;
+  for (const std::vector<Side>& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
+/// For each object, the numbers of its edges of one face and of more than two.
+std::vector<std::array<std::size_t, 2>> unpaired_edges(const Scene& scene) {
+  const Topology topology = build_topology(scene);
+  std::vector<std::array<std::size_t, 2>> unpaired;
+  for (const Object& object : scene.objects) {
+    const EdgeRange edges = edges_of(topology, object);
+    const auto flags = std::span(topology.edge_flags).subspan(edges.begin, edges.end - edges.begin);
+    const auto count = [&](std::uint16_t flag) {
+      return static_cast<std::size_t>(std::ranges::count_if(flags, [=](std::uint16_t f) { return (f & flag) != 0; }));
+    };
+    unpaired.push_back({count(kEdgeBorder), count(kEdgeManyFaces)});
+  }
+  return unpaired;
+}
+
 }  // namespace
 
 std::size_t close_steps(Scene& scene) {
-  std::vector<Side> shorts;
+  std::vector<std::vector<Side>> shorts(scene.objects.size());
   std::vector<double> most(scene.objects.size(), 0);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
@@ -220,9 +242,23 @@ std::size_t close_steps(Scene& scene) {
     const auto [low, high] = bounds_of(scene, object.vertex_begin, object.vertex_end);
     most[i] = kStepPart * glm::distance(low, high);
     std::vector<Needle> needles = needles_of(scene, object, most[i]);
-    if (!needles.empty()) StepFinder(scene, object, std::move(needles), most[i]).run(shorts);
+    if (!needles.empty()) StepFinder(scene, object, std::move(needles), most[i]).run(shorts[i]);
   }
-  return merge_ends(scene, shorts, most);
+  std::vector<Side> all = joined(shorts);
+  if (all.empty()) return 0;
+  const Scene stored = scene;
+  const std::size_t merged = merge_ends(scene, all, most);
+  const auto before = unpaired_edges(stored), after = unpaired_edges(scene);
+  const auto is_worse = [&](std::size_t i) { return after[i][0] > before[i][0] || after[i][1] > before[i][1]; };
+  bool any = false;
+  for (std::size_t i = 0; i < shorts.size(); ++i) {
+    if (!is_worse(i)) continue;
+    shorts[i].clear();
+    any = true;
+  }
+  if (!any) return merged;
+  scene = stored;
+  return merge_ends(scene, joined(shorts), most);
 }
 
 }  // namespace ligne

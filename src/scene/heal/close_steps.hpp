@@ -16,6 +16,8 @@ namespace ligne {
 /// of a step in a plane do not bend. The mean height of the run, and the way of each vertex, is kStepPart of the diagonal of
 /// the object at most. An object with few such needles, or few against its faces, has them by chance and keeps them.
 ///
+/// An object in which the merges would leave edges without a second face, or with a third one, stays as it is.
+///
 /// Returns the number of merged vertices. Takes O(n) time.
 std::size_t close_steps(Scene& scene);
 
