@@ -85,6 +85,11 @@ std::optional<Needle> needle_at(const Scene& scene, std::uint32_t face, double m
   return needle;
 }
 
+/// The least number of needles in the steps of an object.
+std::size_t fewest_in_steps(const Object& object) {
+  return std::max(kFewestInSteps, static_cast<std::size_t>(kLeastPart * (object.face_end - object.face_begin)));
+}
+
 /// The steps of one object.
 class StepFinder {
  public:
@@ -92,7 +97,7 @@ class StepFinder {
       : scene_(scene),
         error_(kSqrt3 * object.precision),
         most_(most),
-        fewest_(std::max(kFewestInSteps, static_cast<std::size_t>(kLeastPart * (object.face_end - object.face_begin)))),
+        fewest_(fewest_in_steps(object)),
         needles_(std::move(needles)) {
     std::vector<std::uint8_t> marked(scene.vertices.size());
     for (std::uint32_t n = 0; n < needles_.size(); ++n) {
@@ -242,7 +247,7 @@ std::size_t close_steps(Scene& scene) {
     const auto [low, high] = bounds_of(scene, object.vertex_begin, object.vertex_end);
     most[i] = kStepPart * glm::distance(low, high);
     std::vector<Needle> needles = needles_of(scene, object, most[i]);
-    if (!needles.empty()) StepFinder(scene, object, std::move(needles), most[i]).run(shorts[i]);
+    if (needles.size() >= fewest_in_steps(object)) StepFinder(scene, object, std::move(needles), most[i]).run(shorts[i]);
   }
   std::vector<Side> all = joined(shorts);
   if (all.empty()) return 0;
