@@ -16,7 +16,6 @@
 #include "base/key_table.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "scene/heal/border_edges.hpp"
 #include "scene/heal/merge_ends.hpp"
 #include "scene/model/bounds.hpp"
 #include "scene/model/faces_and_edges.hpp"
@@ -99,13 +98,18 @@ class StepFinder {
         most_(most),
         fewest_(fewest_in_steps(object)),
         needles_(std::move(needles)) {
-    std::vector<std::uint8_t> marked(scene.vertices.size());
+    std::vector<std::uint8_t> marked(object.vertex_end - object.vertex_begin);
     for (std::uint32_t n = 0; n < needles_.size(); ++n) {
       needle_of_[needles_[n].face] = n;
-      for (const std::uint32_t v : scene.faces.contour(needles_[n].face, 0)) marked[v] = 1;
+      for (const std::uint32_t v : scene.faces.contour(needles_[n].face, 0)) marked[v - object.vertex_begin] = 1;
     }
-    const std::vector<std::uint32_t> faces = faces_at(scene, marked);
-    for (const std::uint32_t f : faces_of(object, faces)) add_sides(f, marked);
+    for (std::uint32_t f = object.face_begin; f < object.face_end; ++f) {
+      for_sides(scene.faces, f, [&](std::uint32_t from, std::uint32_t to) {
+        if (!marked[from - object.vertex_begin] || !marked[to - object.vertex_begin]) return;
+        std::uint32_t& stored = face_of_[key({from, to})];
+        stored = stored == kNone ? f : kSeveral;
+      });
+    }
   }
 
   /// Appends the short sides of all steps, if these are many.
@@ -128,14 +132,6 @@ class StepFinder {
     double width = 0;               ///< of the needles on the way
     double convex = 0, hollow = 0;  ///< largest bends on the way, radians
   };
-
-  void add_sides(std::uint32_t face, std::span<const std::uint8_t> marked) {
-    for_sides(scene_.faces, face, [&](std::uint32_t from, std::uint32_t to) {
-      if (!marked[from] || !marked[to]) return;
-      std::uint32_t& stored = face_of_[key({from, to})];
-      stored = stored == kNone ? face : kSeveral;
-    });
-  }
 
   static std::uint64_t key(const Side& side) { return std::uint64_t(side[0]) << 32 | side[1]; }
 
