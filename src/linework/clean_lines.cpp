@@ -116,6 +116,7 @@ CleanReport clean_lines(StrokeModel& model, const CleanOptions& options) {
   // Passes in which dangles go and their gaps are closed.
   const int settling = options.form_of || options.scan_of ? 2 : 1;
   bool is_clean = false;
+  std::vector<Stroke> joints;
   const auto count_changes = [&](std::string_view changes, std::size_t count) {
     auto rule = std::ranges::find(report.rules, changes, &RuleReport::changes);
     if (rule == report.rules.end()) rule = report.rules.insert(rule, {changes});
@@ -135,17 +136,22 @@ CleanReport clean_lines(StrokeModel& model, const CleanOptions& options) {
       count_changes("ends behind other lines cut", count);
       return count > 0;
     };
+    const auto commit = [&] {
+      joints.insert(joints.end(), map->added().begin(), map->added().end());
+      map->commit();
+    };
     make_map();
     // Before, an end behind a crossing may be that of a dangle, or lie before a gap. Only a new map tells that an end that
     // was cut meets a line.
     if (report.passes > settling && cut_ends()) {
-      map->commit(ink);
+      commit();
       make_map();
     }
     apply_rules(*map, options, report.passes > 1, count_changes);
     if (report.passes <= settling && is_clean) cut_ends();
-    if (!is_clean) map->commit(ink);
+    if (!is_clean) commit();
   }
+  clear_hidden(model.strokes, joints, ink);
   return report;
 }
 

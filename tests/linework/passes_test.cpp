@@ -260,7 +260,9 @@ TEST(LineMapTest, EditsAreWrittenBack) {
   m.map.add(bridge, 2 * right + 1, 2 * 2, no_source);
   EXPECT_FALSE(m.map.is_free(2 * 2));
   expect_valid(m.map);
-  m.map.commit(1);
+  const std::vector<Stroke> added(m.map.added().begin(), m.map.added().end());
+  m.map.commit();
+  clear_hidden(m.model.strokes, added, 1);
   ASSERT_EQ(m.model.strokes.size(), 5u) << "the hidden line under the bridge has gone";
   EXPECT_FALSE(m.model.strokes[0].visible);
   EXPECT_EQ(m.model.strokes[0].to, (LatticePoint{100, 0}));

@@ -5,7 +5,7 @@
 #include "geometry/search/point_tree.hpp"
 #include "geometry/search/segment_end_tree.hpp"
 #include "geometry/segment_overlap.hpp"
-#include "linework/overlaps/compared_strokes.hpp"
+#include "linework/overlaps/overlap_search.hpp"
 #include "main/tier.hpp"
 #include "stroke_builder.hpp"
 
@@ -110,24 +110,37 @@ std::vector<StrokePair> by_all_pairs(const std::vector<Stroke>& strokes) {
   return pairs;
 }
 
-/// Every stroke is new, or one in `every` if that is given.
-ComparedStrokes compared(const std::vector<Stroke>& strokes, std::size_t every = 1) {
+ComparedStrokes compared(const std::vector<Stroke>& strokes) {
   ComparedStrokes all;
   for (const Stroke& s : strokes) {
-    if (page_length(s) <= kTolerance) continue;
-    all.is_new.push_back(all.strokes.size() % every == 0);
-    all.strokes.push_back(s);
+    if (page_length(s) > kTolerance) all.add({&s, 1});
   }
   return all;
 }
 
+/// Every fifth stroke, cut in the middle.
+std::vector<CutStroke> some_cut(const std::vector<Stroke>& strokes) {
+  std::vector<CutStroke> cut;
+  for (std::uint32_t i = 0; i < strokes.size(); i += 5) {
+    Stroke half = strokes[i];
+    half.to = {std::midpoint(half.from.x, half.to.x), std::midpoint(half.from.y, half.to.y)};
+    if (page_length(half) > kTolerance) cut.push_back({i, {half}});
+  }
+  return cut;
+}
+
+/// Searches again and again, after strokes were cut and others added.
 void expect_found(const std::vector<Stroke>& strokes, std::uint32_t seed) {
-  for (const std::size_t every : {1, 3, 40}) {
-    const ComparedStrokes all = compared(strokes, every);
-    const std::vector<StrokePair> found = find_new_overlaps(all, kTolerance);
+  const std::vector<Stroke> wanted = compared(strokes).strokes;
+  OverlapSearch search(kTolerance);
+  ComparedStrokes all;
+  for (const std::size_t share : {40, 20, 3, 2, 1}) {
+    all.add(std::span(wanted).first(wanted.size() / share).subspan(all.strokes.size()));
+    const std::vector<StrokePair> found = search.find_new(all);
     std::vector<StrokePair> expected = by_all_pairs(all.strokes);
-    std::erase_if(expected, [&](const StrokePair& p) { return !all.is_new[p.later] && !all.is_new[p.earlier]; });
-    EXPECT_TRUE(found == expected) << found.size() << ", seed " << seed << ", one in " << every;
+    std::erase_if(expected, [&](const StrokePair& p) { return !all.is_new(p.later) && !all.is_new(p.earlier); });
+    EXPECT_TRUE(found == expected) << found.size() << ", seed " << seed << ", one in " << share;
+    all.replace(some_cut(all.strokes));
   }
 }
 
@@ -233,7 +246,7 @@ TEST(OverlappingStrokes, OfNearlyOneDirectionAreFound) {
       strokes.push_back(stroke({-d.x, -d.y}, d));
       strokes.push_back(stroke({d.x / 2, d.y / 2}, {d.x / 3, d.y / 3 + 1}));
     }
-    EXPECT_TRUE(find_new_overlaps(compared(strokes), kTolerance) == by_all_pairs(strokes)) << turn;
+    EXPECT_TRUE(OverlapSearch(kTolerance).find_new(compared(strokes)) == by_all_pairs(strokes)) << turn;
     EXPECT_GE(by_all_pairs(strokes).size(), 4u) << turn;
   }
 }

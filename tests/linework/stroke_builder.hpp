@@ -80,7 +80,9 @@ std::size_t apply_rule(StrokeModel& m, double reach_mm, const Rule& rule, double
   const double step = m.lattice.step_mm;
   LineMap map(m, is_no_mesh, {.reach = reach_mm / step}, std::max(4.0, 4 * reach_mm / step));
   const std::size_t changes = rule(map);
-  map.commit(ink_mm / step);
+  const std::vector<Stroke> added(map.added().begin(), map.added().end());
+  map.commit();
+  clear_hidden(m.strokes, added, ink_mm / step);
   return changes;
 }
 

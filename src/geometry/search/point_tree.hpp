@@ -29,18 +29,21 @@ struct PointBox {
   }
 };
 
-/// Divides the points into halves along the longest side of their box. The tree depends on the points alone.
+/// Divides the points into halves along the longest side of their box, where sides are multiplied by weights. The tree
+/// depends on the points and weights alone.
 template <std::size_t N, class Coordinate = std::int32_t>
 class PointTree {
  public:
   using Point = TreePoint<N, Coordinate>;
   using Box = PointBox<N, Coordinate>;
 
+  using Weights = std::array<double, N>;
+
   PointTree() = default;
-  explicit PointTree(const std::vector<Point>& points) : order_(points.size()) {
+  explicit PointTree(const std::vector<Point>& points, const Weights& weights = even_weights()) : order_(points.size()) {
     for (std::uint32_t i = 0; i < points.size(); ++i) order_[i] = i;
     nodes_.reserve(points.size() / (kLeafPoints / 2) + 1);
-    if (!points.empty()) build(points, 0, static_cast<std::uint32_t>(points.size()));
+    if (!points.empty()) build(points, weights, 0, static_cast<std::uint32_t>(points.size()));
   }
 
   /// The numbers of the points, leaf by leaf.
@@ -97,7 +100,13 @@ class PointTree {
     for (std::uint32_t place = nodes_[node].begin; place < nodes_[node].end; ++place) visit(place);
   }
 
-  void build(const std::vector<Point>& points, std::uint32_t begin, std::uint32_t end) {
+  static Weights even_weights() {
+    Weights weights;
+    weights.fill(1);
+    return weights;
+  }
+
+  void build(const std::vector<Point>& points, const Weights& weights, std::uint32_t begin, std::uint32_t end) {
     const std::size_t node = nodes_.size();
     const std::span<std::uint32_t> here(order_.data() + begin, end - begin);
     Box box{points[here[0]], points[here[0]]};
@@ -109,12 +118,12 @@ class PointTree {
     }
     nodes_.push_back({box, begin, end});
     if (here.size() > kLeafPoints) {
-      const auto side = [&](std::size_t k) { return double(box.high[k]) - double(box.low[k]); };
+      const auto side = [&](std::size_t k) { return weights[k] * (double(box.high[k]) - double(box.low[k])); };
       std::size_t axis = 0;
       for (std::size_t k = 1; k < N; ++k) axis = side(k) > side(axis) ? k : axis;
       const std::uint32_t middle = begin + divide(points, here, axis);
-      build(points, begin, middle);
-      build(points, middle, end);
+      build(points, weights, begin, middle);
+      build(points, weights, middle, end);
     }
     nodes_[node].after = static_cast<std::uint32_t>(nodes_.size());
   }

@@ -26,7 +26,7 @@ SegmentEndTree::SegmentEndTree(const std::vector<PlacedEnd>& ends, double middle
     points[i] = {rounded(frame_.u(p)), rounded(frame_.v(p)), rounded_direction(line_directions::direction(p, far)),
                  static_cast<std::int32_t>(std::bit_width(half))};
   }
-  tree_ = PointTree<4>(points);
+  tree_ = PointTree<4>(points, kWeights);
   ends_.reserve(ends.size());
   for (const std::uint32_t i : tree_.order()) ends_.push_back(ends[i]);
 }

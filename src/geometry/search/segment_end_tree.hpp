@@ -58,6 +58,9 @@ class SegmentEndTree {
     std::array<std::int32_t, 2> ends[2]{};
   };
 
+  /// Weights by which the tree is divided. Segments run along u, with slopes of a tenth on the average, so boxes that are
+  /// longer along u are met by fewer. Directions divide only places where many segments meet. Adjustable.
+  static constexpr PointTree<4>::Weights kWeights{1, 6, 0.1, 1};
   static constexpr double kRounding = 2;  ///< lattice steps; more than the rounding error of any position here
   /// Common intervals above which directions are compared, in tolerances. Adjustable: below, they differ too much.
   static constexpr double kCompared = 128;

@@ -164,10 +164,21 @@ void LineMap::write_stroke(std::uint32_t first_piece, std::vector<Stroke>& out) 
   }
 }
 
-void LineMap::clear_hidden(std::vector<Stroke>& strokes, double ink) const {
-  if (!had_hidden_ || model_.strokes.size() == given_) return;
-  const std::span added(model_.strokes.begin() + given_, model_.strokes.end());
-  LineCells cells(std::min(std::max(2 * ink, 1.0), cell_));
+void LineMap::commit() {
+  std::vector<std::uint32_t> first_piece(model_.strokes.size(), kNone);
+  for (std::uint32_t p = piece_count(); p-- > 0;) first_piece[pieces_[p].of] = p;
+  std::vector<Stroke> out;
+  out.reserve(model_.strokes.size());
+  for (std::uint32_t i = 0; i < model_.strokes.size(); ++i) {
+    if (first_piece[i] == kNone) out.push_back(model_.strokes[i]);  // it has no pieces to write
+    write_stroke(first_piece[i], out);
+  }
+  model_.strokes = std::move(out);
+}
+
+void clear_hidden(std::vector<Stroke>& strokes, std::span<const Stroke> added, double ink) {
+  if (added.empty()) return;
+  LineCells cells(std::max(2 * ink, 1.0));
   for (std::uint32_t a = 0; a < added.size(); ++a) cells.insert(a, added[a].from, added[a].to);
   // How far ink covers a stroke from an end on, 0 or 1, as a fraction of its length.
   const auto end_of_ink = [&](const Stroke& s, double end) {
@@ -197,19 +208,6 @@ void LineMap::clear_hidden(std::vector<Stroke>& strokes, double ink) const {
     for (std::size_t i = begin; i < end; ++i) stays[i] = !is_gone(strokes[i]);
   });
   std::erase_if(strokes, [&](const Stroke& s) { return !stays[static_cast<std::size_t>(&s - strokes.data())]; });
-}
-
-void LineMap::commit(double ink) {
-  std::vector<std::uint32_t> first_piece(model_.strokes.size(), kNone);
-  for (std::uint32_t p = piece_count(); p-- > 0;) first_piece[pieces_[p].of] = p;
-  std::vector<Stroke> out;
-  out.reserve(model_.strokes.size());
-  for (std::uint32_t i = 0; i < model_.strokes.size(); ++i) {
-    if (first_piece[i] == kNone) out.push_back(model_.strokes[i]);  // it has no pieces to write
-    write_stroke(first_piece[i], out);
-  }
-  clear_hidden(out, ink);
-  model_.strokes = std::move(out);
 }
 
 }  // namespace ligne

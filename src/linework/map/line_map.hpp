@@ -99,9 +99,11 @@ class LineMap {
   /// Adds a stroke from the node of `from_end` to that of `to_end`. If that is kNone, the stroke ends at a new node.
   void add(Stroke stroke, std::uint32_t from_end, std::uint32_t to_end, const MakeSource& make_source);
 
+  /// The strokes that rules have added.
+  std::span<const Stroke> added() const { return std::span(model_.strokes).subspan(given_); }
+
   /// Writes the map back to the model. Removed pieces become hidden strokes, or are left out if the model had none.
-  /// Hidden strokes lose the parts at their ends that lie in the ink (within `ink` steps) of added strokes.
-  void commit(double ink);
+  void commit();
 
  private:
   struct Piece {
@@ -118,7 +120,6 @@ class LineMap {
   void find_contacts();
   std::optional<Meeting> nearest_line(std::uint32_t end);
   void write_stroke(std::uint32_t first_piece, std::vector<Stroke>& out) const;
-  void clear_hidden(std::vector<Stroke>& strokes, double ink) const;
 
   StrokeModel& model_;
   Meetings meetings_;
@@ -130,5 +131,8 @@ class LineMap {
   std::vector<Contact> contacts_;
   std::optional<LineCells> cells_;
 };
+
+/// Hidden strokes lose the parts at their ends that lie in the ink (within `ink` steps) of added strokes.
+void clear_hidden(std::vector<Stroke>& strokes, std::span<const Stroke> added, double ink);
 
 }  // namespace ligne

@@ -8,12 +8,15 @@
 #include "linework/overlaps/coincident_strokes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
 #include "base/indices_where.hpp"
 #include "base/parallel.hpp"
+#include "geometry/search/line_cells.hpp"
 #include "linework/overlaps/compared_strokes.hpp"
+#include "linework/overlaps/overlap_search.hpp"
 
 namespace ligne {
 namespace {
@@ -32,15 +35,24 @@ void sort_by_precedence(const std::vector<Stroke>& strokes, std::vector<std::uin
 }
 
 /// Returns, ascending, the numbers of the strokes longer than the tolerance that need a check
-/// (Stroke::needs_overlap_check) or pass near one that does.
+/// (Stroke::needs_overlap_check) or may pass near one that does. Where most strokes need one, all pass near one.
 std::vector<std::uint32_t> strokes_to_compare(const std::vector<Stroke>& strokes, double tolerance_steps) {
-  const auto is_long = [&](std::uint32_t i) { return page_length(strokes[i]) > tolerance_steps; };
-  std::vector<std::uint32_t> flagged =
+  // Adjustable: least side of a cell, a 2048th of the lattice; number of cells along the lattice for each stroke along it;
+  // smallest ratio of all strokes to those that need a check. The test of a stroke takes about a third of a comparison.
+  constexpr double kLeastCell = 1 << 15, kCellsEach = 8;
+  constexpr std::size_t kTimes = 2;
+  const auto is_long = [&](std::size_t i) { return page_length(strokes[i]) > tolerance_steps; };
+  const auto flagged =
       indices_where(strokes.size(), [&](std::size_t i) { return strokes[i].needs_overlap_check && is_long(i); });
-  if (flagged.empty()) return flagged;
-  std::vector<std::uint32_t> chosen = strokes_near(strokes, flagged, tolerance_steps);
-  std::erase_if(chosen, [&](std::uint32_t i) { return !is_long(i); });
-  return chosen;
+  if (flagged.empty() || kTimes * flagged.size() > strokes.size())
+    return flagged.empty() ? flagged : indices_where(strokes.size(), is_long);
+  const double along = kCellsEach * std::sqrt(static_cast<double>(flagged.size()) + 1);
+  LineCells cells(walked_cell(strokes, std::max(kLeastCell, 2 * kLatticeLimit / along)));
+  for (const std::uint32_t i : flagged) cells.insert(i, strokes[i].from, strokes[i].to);
+  const auto is_any = [](std::uint32_t) { return true; };
+  return indices_where(strokes.size(), [&](std::size_t i) {
+    return is_long(i) && cells.near(strokes[i].from, strokes[i].to, tolerance_steps, is_any);
+  });
 }
 
 /// The part of a stroke that another one covers. The fractions are of both strokes at the ends of their common interval.
@@ -145,19 +157,17 @@ bool is_crowd(const std::vector<Stroke>& strokes, double tolerance_steps) {
   constexpr double kMany = 64;           // overlaps of a stroke with others, on the average; adjustable
   if (strokes.size() < 4 * kSample) return false;
   ComparedStrokes sample;
-  for (std::size_t k = 0; k < kSample; ++k) sample.strokes.push_back(strokes[k * strokes.size() / kSample]);
-  sample.is_new.assign(kSample, 1);
-  const auto pairs = static_cast<double>(find_new_overlaps(sample, tolerance_steps).size());
+  for (std::size_t k = 0; k < kSample; ++k) sample.add({&strokes[k * strokes.size() / kSample], 1});
+  const auto pairs = static_cast<double>(OverlapSearch(tolerance_steps).find_new(sample).size());
   const double times = static_cast<double>(strokes.size()) / kSample;
   return 2 * pairs * times > kMany * kSample;
 }
 
 /// Cuts strokes until no two overlap, or fewer than `least` are new. Rests may overlap strokes that their wholes did not,
 /// where a wedge has become short enough.
-void resolve_overlaps(ComparedStrokes& compared, std::size_t least, const OverlapTolerance& tolerance) {
-  const auto has_new = [&] { return static_cast<std::size_t>(std::ranges::count(compared.is_new, 1)) >= least; };
-  while (has_new()) {
-    const std::vector<StrokePair> pairs = find_new_overlaps(compared, tolerance.steps);
+void resolve_overlaps(ComparedStrokes& compared, OverlapSearch& search, std::size_t least, const OverlapTolerance& tolerance) {
+  while (compared.next_id - compared.first_new >= least) {
+    const std::vector<StrokePair> pairs = search.find_new(compared);
     compared.replace(PairResolver(compared.strokes, tolerance).resolve(pairs));
   }
 }
@@ -170,11 +180,11 @@ std::vector<Stroke> without_overlaps(const std::vector<Stroke>& strokes, const O
   constexpr std::size_t kLeast = 8192, kFewNew = 8;
   const std::size_t least = is_crowd(strokes, tolerance.steps) ? kLeast : strokes.size();
   ComparedStrokes kept;
+  OverlapSearch search(tolerance.steps);
   for (std::size_t begin = 0, end = 0; begin < strokes.size(); begin = end) {
     end = std::min(strokes.size(), begin + std::max(least, kept.strokes.size() / 2));
-    kept.is_new.resize(kept.strokes.size() + end - begin, 1);
-    kept.strokes.insert(kept.strokes.end(), strokes.data() + begin, strokes.data() + end);
-    resolve_overlaps(kept, end < strokes.size() ? kept.strokes.size() / kFewNew : 1, tolerance);
+    kept.add(std::span(strokes).subspan(begin, end - begin));
+    resolve_overlaps(kept, search, end < strokes.size() ? kept.strokes.size() / kFewNew : 1, tolerance);
   }
   return std::move(kept.strokes);
 }
@@ -199,22 +209,26 @@ std::vector<Stroke> rests_of(const Stroke& stroke, std::vector<CoveredPart>& cov
   return rests;
 }
 
+void ComparedStrokes::add(std::span<const Stroke> added) {
+  strokes.insert(strokes.end(), added.begin(), added.end());
+  for (std::size_t k = 0; k < added.size(); ++k) ids.push_back(next_id++);
+}
+
 void ComparedStrokes::replace(std::span<const CutStroke> cut) {
-  ComparedStrokes changed;
+  ComparedStrokes changed{{}, {}, next_id, next_id};
   changed.strokes.reserve(strokes.size() + cut.size());
-  changed.is_new.reserve(strokes.size() + cut.size());
+  changed.ids.reserve(strokes.size() + cut.size());
   auto next = cut.begin();
   for (std::uint32_t i = 0; i < strokes.size(); ++i) {
     const Stroke& whole = strokes[i];
-    if (next == cut.end() || next->number != i) {
+    const bool is_cut = next != cut.end() && next->number == i;
+    const std::vector<Stroke>* rests = is_cut ? &(next++)->rests : nullptr;
+    if (!rests || (rests->size() == 1 && (*rests)[0].from == whole.from && (*rests)[0].to == whole.to)) {
       changed.strokes.push_back(whole);
-      changed.is_new.push_back(0);
-      continue;
+      changed.ids.push_back(ids[i]);
+    } else {
+      changed.add(*rests);
     }
-    const std::vector<Stroke>& rests = (next++)->rests;
-    const bool is_whole = rests.size() == 1 && rests[0].from == whole.from && rests[0].to == whole.to;
-    changed.strokes.insert(changed.strokes.end(), rests.begin(), rests.end());
-    changed.is_new.insert(changed.is_new.end(), rests.size(), !is_whole);
   }
   *this = std::move(changed);
 }
@@ -234,8 +248,7 @@ void remove_coincident_strokes(StrokeModel& model, double tolerance_mm) {
   }
   sort_by_precedence(strokes, order, tolerance_mm);
   ComparedStrokes compared;
-  compared.strokes.reserve(order.size());
-  for (const std::uint32_t i : order) compared.strokes.push_back(strokes[i]);
+  for (const std::uint32_t i : order) compared.add({&strokes[i], 1});
   compared.replace(thin_crowded_lines(compared.strokes, tolerance));
   const std::vector<Stroke> left = without_overlaps(compared.strokes, tolerance);
   others.insert(others.end(), left.begin(), left.end());

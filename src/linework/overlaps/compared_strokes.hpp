@@ -61,10 +61,17 @@ struct CutStroke {
   std::vector<Stroke> rests{};
 };
 
-/// Strokes by falling precedence, while overlaps are resolved.
+/// Strokes by falling precedence, while overlaps are resolved. A stroke keeps its id as long as it is not cut; no two strokes
+/// ever have the same.
 struct ComparedStrokes {
   std::vector<Stroke> strokes;
-  std::vector<std::uint8_t> is_new;  ///< by stroke: whether it was not yet compared with the others
+  std::vector<std::uint32_t> ids;  ///< by stroke
+  std::uint32_t first_new = 0;     ///< strokes with this id and higher ones were not yet compared with the others
+  std::uint32_t next_id = 0;
+
+  bool is_new(std::uint32_t stroke) const { return ids[stroke] >= first_new; }
+  /// Appends strokes, which are new.
+  void add(std::span<const Stroke> added);
 
   /// Puts rests in the place of their strokes. Then only the rests of strokes that were cut are new. `cut` is ascending.
   void replace(std::span<const CutStroke> cut);
@@ -75,24 +82,5 @@ struct ComparedStrokes {
 /// (Stroke::needs_overlap_check) take no part. `strokes` are sorted by precedence. Returns what stays of the crowded ones,
 /// ascending.
 std::vector<CutStroke> thin_crowded_lines(const std::vector<Stroke>& strokes, const OverlapTolerance& tolerance);
-
-/// Two strokes that overlap (segment_overlap.hpp), by number; earlier < later.
-struct StrokePair {
-  std::uint32_t later, earlier;
-  auto operator<=>(const StrokePair&) const = default;
-};
-
-/// Returns the numbers of the strokes that may overlap one of `others`, which are numbers of strokes too, and those of
-/// `others`, ascending. Exact only where these are a minority. Runs in parallel.
-std::vector<std::uint32_t> strokes_near(const std::vector<Stroke>& strokes, std::span<const std::uint32_t> others,
-                                        double tolerance_steps);
-
-/// Returns, in ascending order, the overlapping pairs of which at least one stroke is new, and at least one needs a check
-/// (Stroke::needs_overlap_check). All strokes are longer than the tolerance. Where two strokes overlap, an end of the
-/// shorter one lies on the longer one. So the search follows each stroke past the ends of those that are not longer: past
-/// the ends of all short strokes, and if the stroke is long, also past the ends of the long strokes of nearly its direction.
-/// Runs in parallel. Takes O(n log n), plus one test for each pair where an end of one lies near the line of the other and
-/// their directions are similar.
-std::vector<StrokePair> find_new_overlaps(const ComparedStrokes& compared, double tolerance_steps);
 
 }  // namespace ligne

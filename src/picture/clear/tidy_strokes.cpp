@@ -43,7 +43,7 @@ std::size_t remove_short_bits_of(StrokeModel& strokes, double least_mm,
                                  const std::function<bool(const Stroke&)>& takes_part) {
   LineMap map(strokes, takes_part, {}, least_mm / strokes.lattice.step_mm);
   const std::size_t removed = remove_short_bits(map, least_mm);
-  map.commit(0);
+  map.commit();
   return removed;
 }
 
