@@ -165,7 +165,8 @@ bool is_crowd(const std::vector<Stroke>& strokes, double tolerance_steps) {
 
 /// Cuts strokes until no two overlap, or fewer than `least` are new. Rests may overlap strokes that their wholes did not,
 /// where a wedge has become short enough.
-void resolve_overlaps(ComparedStrokes& compared, OverlapSearch& search, std::size_t least, const OverlapTolerance& tolerance) {
+void resolve_overlaps(ComparedStrokes& compared, OverlapSearch& search, std::size_t least,
+                      const OverlapTolerance& tolerance) {
   while (compared.next_id - compared.first_new >= least) {
     const std::vector<StrokePair> pairs = search.find_new(compared);
     compared.replace(PairResolver(compared.strokes, tolerance).resolve(pairs));

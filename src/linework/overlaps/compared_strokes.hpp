@@ -61,8 +61,8 @@ struct CutStroke {
   std::vector<Stroke> rests{};
 };
 
-/// Strokes by falling precedence, while overlaps are resolved. A stroke keeps its id as long as it is not cut; no two strokes
-/// ever have the same.
+/// Strokes by falling precedence, while overlaps are resolved. A stroke keeps its id as long as it is not cut; no two
+/// strokes ever have the same.
 struct ComparedStrokes {
   std::vector<Stroke> strokes;
   std::vector<std::uint32_t> ids;  ///< by stroke

@@ -2,6 +2,7 @@
 /// joins outlines where an outline of a body is not drawn.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -119,14 +120,18 @@ class OpenEnds {
     return glm::dot(e.along, offset(e.point, p)) >= cosine * e.length * distance;
   }
 
-  /// Whether leads_to() is false for all points of the box. A line may lead only to points in a cone. Where thousands
-  /// of lines end side by side, nearly all ends lie outside of it.
-  static bool leads_away(const OpenEnd& e, const PointBox<2>& box) {
-    static const double sine = std::sqrt(1 - kLeastCosine * kLeastCosine);
+  /// Whether leads_to() is false for all points of the box, which are farther away than the root of `squared`. A line may
+  /// lead only to points in a cone. Where thousands of lines end side by side, nearly all ends lie outside of it.
+  bool leads_away(const OpenEnd& e, const PointBox<2>& box, double squared) const {
+    static const auto sine = [](double cosine) { return std::sqrt(1 - cosine * cosine); };
+    static const std::array<Point2, 3> cones{
+        {{kLeastCosine, sine(kLeastCosine)}, {kStraightCosine, sine(kStraightCosine)}, {kFarCosine, sine(kFarCosine)}}};
+    const auto is_beyond = [&](double distance) { return squared > kAbout * distance * distance; };
+    const Point2 cone = cones[is_beyond(kFarPartInGaps * gap_) ? 2 : is_beyond(gap_) ? 1 : 0];
     constexpr double kRounding = 1;  // lattice steps
     for (const double side : {-1.0, 1.0}) {
       // The inner normal of a side of the cone, as long as the stroke.
-      const Point2 n = sine * e.along + side * kLeastCosine * Point2(-e.along.y, e.along.x);
+      const Point2 n = cone.y * e.along + side * cone.x * Point2(-e.along.y, e.along.x);
       const Point2 corner(n.x > 0 ? box.high[0] : box.low[0], n.y > 0 ? box.high[1] : box.low[1]);
       if (glm::dot(n, corner - Point2(e.point.x, e.point.y)) < -kRounding * e.length) return true;
     }
@@ -138,11 +143,12 @@ class OpenEnds {
     const OpenEnd& end = ends_[e];
     const LatticePoint p = end.point;
     std::uint32_t best = kNone;
-    double best_distance = wide_;
+    // A longer bridge than a gap needs a line that is longer in proportion.
+    double best_distance = std::clamp(kAbout * end.line_length / kLongInGaps, std::min(gap_, wide_), wide_);
     const auto enter = [&](std::uint32_t node, double squared) {
       if (squared > kAbout * best_distance * best_distance) return false;
       const bool is_apart = end.length > wide_ && squared > kAbout * kRoundedSteps * kRoundedSteps;
-      return !is_apart || !leads_away(end, tree_.box(node));
+      return !is_apart || !leads_away(end, tree_.box(node), squared);
     };
     tree_.search_from(p, enter, [&](std::uint32_t place) {
       const std::uint32_t o = tree_.order()[place];
