@@ -89,7 +89,7 @@ std::string TriangleFile::take_vertices(const PlyElement& element, std::size_t b
     const auto axis = static_cast<std::size_t>(std::find(axes, axes + 3, p) - axes);
     if (axis < 3) {
       coordinates_[axis] = {property.type, offset};
-      is_float32_ = is_float32_ || property.type == PlyType::float32;
+      is_float32_ = is_float32_ || property.type == NumberType::float32;
       ++found;
     }
     offset += byte_size(property.type);
@@ -138,15 +138,15 @@ Point3 TriangleFile::vertex(std::size_t i) const {
   const std::byte* const at = data + vertices_.begin + vertices_.size * i;
   for (int k = 0; k < 3; ++k) {
     const Coordinate& c = coordinates_[k];
-    p[k] = c.type == PlyType::float32 ? load_bytes<float>(at + c.offset, order_)
-                                      : load_ply_number(at + c.offset, c.type, order_);
+    p[k] = c.type == NumberType::float32 ? load_bytes<float>(at + c.offset, order_)
+                                         : load_number(at + c.offset, c.type, order_);
   }
   return p;
 }
 
 std::uint32_t TriangleFile::corner(std::size_t triangle, std::size_t k) const {
   const std::byte* const list = file_.bytes().data() + triangles_.begin + triangles_.size * triangle + list_;
-  const double index = load_ply_number(list + byte_size(count_type_) + k * byte_size(index_type_), index_type_, order_);
+  const double index = load_number(list + byte_size(count_type_) + k * byte_size(index_type_), index_type_, order_);
   return index >= 0 && index < double{kNone} ? static_cast<std::uint32_t>(index) : kNone;
 }
 
@@ -191,7 +191,7 @@ bool TriangleFile::check_faces() const {
     Checked block;
     for (std::size_t t = begin; t < end && block.largest == 0; ++t) {
       const std::byte* const list = file_.bytes().data() + triangles_.begin + triangles_.size * t + list_;
-      if (load_ply_number(list, count_type_, order_) != 3) block.largest = 1;
+      if (load_number(list, count_type_, order_) != 3) block.largest = 1;
       for (std::size_t k = 0; k < 3; ++k) {
         if (corner(t, k) >= vertices_.count) block.wrong = std::min(block.wrong, t);
       }

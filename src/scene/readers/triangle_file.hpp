@@ -49,7 +49,7 @@ class TriangleFile {
     std::size_t end() const { return begin + size * count; }
   };
   struct Coordinate {
-    PlyType type = PlyType::float32;
+    NumberType type = NumberType::float32;
     std::size_t offset = 0;  ///< offset within the vertex
   };
 
@@ -69,10 +69,10 @@ class TriangleFile {
   ModelFormat format_ = ModelFormat::stl_binary;
   std::endian order_ = std::endian::little;
   Records triangles_, vertices_;
-  Coordinate coordinates_[3];             ///< PLY
-  PlyType count_type_ = PlyType::uint8;   ///< PLY: type of a face's number of corners
-  PlyType index_type_ = PlyType::uint32;  ///< PLY
-  std::size_t list_ = 0;                  ///< PLY: offset of the number of corners within a face
+  Coordinate coordinates_[3];                   ///< PLY
+  NumberType count_type_ = NumberType::uint8;   ///< PLY: type of a face's number of corners
+  NumberType index_type_ = NumberType::uint32;  ///< PLY
+  std::size_t list_ = 0;                        ///< PLY: offset of the number of corners within a face
   bool is_float32_ = true;
   double precision_ = 0;
 };

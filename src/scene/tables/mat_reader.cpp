@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "files/message_text.hpp"
 #include "scene/readers/load_bytes.hpp"
@@ -22,36 +23,12 @@ constexpr std::uint32_t kMatrix = 14, kCompressed = 15;
 constexpr std::uint32_t kFirstNumericClass = 6, kLastNumericClass = 15;
 constexpr std::size_t kMostMatDimensions = 32;
 
-double mat_value(const std::byte* at, std::uint32_t type, std::endian order) {
-  const auto load = [&]<typename Number>(Number) { return static_cast<double>(load_bytes<Number>(at, order)); };
-  switch (type) {
-    case 1:
-      return load(std::int8_t{});
-    case 2:
-      return load(std::uint8_t{});
-    case 3:
-      return load(std::int16_t{});
-    case 4:
-      return load(std::uint16_t{});
-    case 5:
-      return load(std::int32_t{});
-    case 6:
-      return load(std::uint32_t{});
-    case 7:
-      return load(float{});
-    case 12:
-      return load(std::int64_t{});
-    case 13:
-      return load(std::uint64_t{});
-    default:
-      return load(double{});
-  }
-}
-
-/// Size of a number of the type in bytes; 0 for types without numbers.
-std::size_t bytes_of_mat_type(std::uint32_t type) {
-  constexpr std::array<std::size_t, 14> kBytes{0, 1, 1, 2, 2, 4, 4, 4, 0, 8, 0, 0, 8, 8};
-  return type < kBytes.size() ? kBytes[type] : 0;
+/// The numbers of an element by its type; nothing for types without numbers.
+std::optional<NumberType> number_type_of(std::uint32_t mat_type) {
+  using enum NumberType;
+  constexpr std::array<std::optional<NumberType>, 14> kTypes{std::nullopt, int8, uint8,   int16, uint16, int32, uint32,
+                                                             float32,      {},   float64, {},    {},     int64, uint64};
+  return mat_type < kTypes.size() ? kTypes[mat_type] : std::nullopt;
 }
 
 struct MatElement {
@@ -129,11 +106,11 @@ class MatReader {
     if (shape.size() > kMostMatDimensions) throw error("an array has too many dimensions");
     if (!is_numeric || (array_flags & kComplex) != 0) return leave_out(array.name, array_class);
     const MatElement data = take(bytes);
-    const std::size_t each = bytes_of_mat_type(data.type);
-    if (each == 0) throw error("array " + shown(array.name) + " holds no numbers");
+    const std::optional<NumberType> type = number_type_of(data.type);
+    if (!type) throw error("array " + shown(array.name) + " holds no numbers");
+    const std::size_t each = byte_size(*type);
     const std::size_t count = element_count(shape, each, data.data.size(), name_);
-    for (std::size_t k = 0; k < count; ++k)
-      array.values.push_back(mat_value(data.data.data() + k * each, data.type, order_));
+    for (std::size_t k = 0; k < count; ++k) array.values.push_back(load_number(data.data.data() + k * each, *type, order_));
     array.shape = std::move(shape);
     turn(array);
     arrays_.push_back(std::move(array));

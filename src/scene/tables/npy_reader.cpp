@@ -34,50 +34,34 @@ double half_to_double(std::uint16_t bits) {
   return sign * std::ldexp(fraction + 1024, exponent - 25);
 }
 
-struct NumberType {
-  char kind = 'f';
-  std::size_t bytes = 8;
+struct NpyNumbers {
+  std::optional<NumberType> type;  ///< nothing: floats of 16 bits
   std::endian order = std::endian::little;
+
+  std::size_t bytes_each() const { return type ? byte_size(*type) : sizeof(std::uint16_t); }
+  double value(const std::byte* at) const {
+    return type ? load_number(at, *type, order) : half_to_double(load_bytes<std::uint16_t>(at, order));
+  }
 };
 
-double npy_value(const std::byte* at, const NumberType& type) {
-  const auto load = [&]<typename Number>(Number) { return static_cast<double>(load_bytes<Number>(at, type.order)); };
-  switch (type.kind) {
-    case 'f':
-      return type.bytes == 2   ? half_to_double(load_bytes<std::uint16_t>(at, type.order))
-             : type.bytes == 4 ? load(float{})
-                               : load(double{});
-    case 'i':
-      return type.bytes == 1   ? load(std::int8_t{})
-             : type.bytes == 2 ? load(std::int16_t{})
-             : type.bytes == 4 ? load(std::int32_t{})
-                               : load(std::int64_t{});
-    default:
-      return type.bytes == 1   ? load(std::uint8_t{})
-             : type.bytes == 2 ? load(std::uint16_t{})
-             : type.bytes == 4 ? load(std::uint32_t{})
-                               : load(std::uint64_t{});
-  }
-}
-
-NumberType number_type(std::string_view header, const std::string& name) {
+NpyNumbers npy_numbers(std::string_view header, const std::string& name) {
   std::string_view text = value_behind(header, "descr");
   if (text.starts_with('['))
     throw InputError(name, "is a numpy file of records; save one of their fields: numpy.save(FILE, a[\"z\"])");
   if (!text.empty()) text.remove_prefix(1);
   text = text.substr(0, text.find_first_of("'\""));
-  NumberType type;
-  if (text.starts_with('>')) type.order = std::endian::big;
+  NpyNumbers numbers;
+  if (text.starts_with('>')) numbers.order = std::endian::big;
   if (!text.empty() && std::string_view("<>=|").find(text.front()) != std::string_view::npos) text.remove_prefix(1);
-  type.kind = text.empty() ? '\0' : text.front();
-  const std::optional<std::int64_t> bytes = parse_integer(text.substr(text.empty() ? 0 : 1));
-  type.bytes = bytes && *bytes > 0 && *bytes <= 8 ? static_cast<std::size_t>(*bytes) : 0;
-  const bool is_power = std::has_single_bit(type.bytes);
-  const bool known = (type.kind == 'f' && is_power && type.bytes >= 2) ||
-                     ((type.kind == 'i' || type.kind == 'u') && is_power) || (type.kind == 'b' && type.bytes == 1);
-  if (!known)
+  const char kind = text.empty() ? '\0' : text.front();
+  const auto bytes = static_cast<std::size_t>(parse_integer(text.substr(text.empty() ? 0 : 1)).value_or(0));
+  if (kind == 'f') numbers.type = number_type(NumberKind::floating, bytes);
+  if (kind == 'i') numbers.type = number_type(NumberKind::signed_integer, bytes);
+  if (kind == 'u' || (kind == 'b' && bytes == 1)) numbers.type = number_type(NumberKind::unsigned_integer, bytes);
+  const bool is_half = kind == 'f' && bytes == sizeof(std::uint16_t);
+  if (!numbers.type && !is_half)
     throw InputError(name, "holds numpy's type " + shown(text) + "; heights are integers or floats of up to 64 bits");
-  return type;
+  return numbers;
 }
 
 std::vector<std::size_t> npy_shape(std::string_view header, const std::string& name) {
@@ -113,13 +97,13 @@ DataArray read_npy(std::span<const std::byte> bytes, const std::string& name) {
   const std::size_t begin = kLengthAt + length_bytes;
   if (length > bytes.size() - begin) throw truncated();
   const std::string_view header(reinterpret_cast<const char*>(bytes.data()) + begin, length);
-  const NumberType type = number_type(header, name);
+  const NpyNumbers numbers = npy_numbers(header, name);
   DataArray array;
   array.shape = npy_shape(header, name);
   const std::span<const std::byte> data = bytes.subspan(begin + length);
-  const std::size_t count = element_count(array.shape, type.bytes, data.size(), name);
+  const std::size_t count = element_count(array.shape, numbers.bytes_each(), data.size(), name);
   array.values.reserve(count);
-  for (std::size_t k = 0; k < count; ++k) array.values.push_back(npy_value(data.data() + k * type.bytes, type));
+  for (std::size_t k = 0; k < count; ++k) array.values.push_back(numbers.value(data.data() + k * numbers.bytes_each()));
   if (value_behind(header, "fortran_order").starts_with("True")) array.values = from_column_major(array.values, array.shape);
   for (double& value : array.values) {
     if (!std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();

@@ -38,7 +38,7 @@ class PlyTextData {
       if (!lines_.next(line_)) throw error("the file ends before " + of_element(element, item));
     } while (!has_numbers());
   }
-  PlyValue take(PlyType type) {
+  PlyValue take(NumberType type) {
     const std::string_view word = take_word(line_);
     if (word.empty()) throw error("line with too few numbers");
     const std::optional<double> value = number_in(word);
@@ -48,7 +48,7 @@ class PlyTextData {
     return {*value, significant_digits(word)};
   }
   /// Claimed lengths are not trusted: every skipped value must have a word.
-  void pass_over(PlyType type, std::uint64_t n) {
+  void pass_over(NumberType type, std::uint64_t n) {
     for (; n > 0; --n) take(type);
   }
   /// Skips further values, which MeshLab writes without naming them in the header.
@@ -91,13 +91,13 @@ class PlyBinaryData {
     element_ = &element;
     item_ = item;
   }
-  PlyValue take(PlyType type) {
+  PlyValue take(NumberType type) {
     need(1, byte_size(type));
-    const double value = load_ply_number(rest_.data(), type, order_);
+    const double value = load_number(rest_.data(), type, order_);
     rest_ = rest_.subspan(byte_size(type));
     return {value, 0};
   }
-  void pass_over(PlyType type, std::uint64_t n) {
+  void pass_over(NumberType type, std::uint64_t n) {
     need(n, byte_size(type));
     rest_ = rest_.subspan(static_cast<std::size_t>(n) * byte_size(type));
   }

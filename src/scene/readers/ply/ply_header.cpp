@@ -6,20 +6,19 @@
 #include <string_view>
 #include <utility>
 
-#include "scene/readers/load_bytes.hpp"
 #include "scene/readers/text_lines.hpp"
 
 namespace ligne {
 namespace {
 
-std::optional<PlyType> type_named(std::string_view word) {
-  static constexpr std::pair<std::string_view, PlyType> kNames[] = {
-      {"char", PlyType::int8},      {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
-      {"uint8", PlyType::uint8},    {"short", PlyType::int16},     {"int16", PlyType::int16},
-      {"ushort", PlyType::uint16},  {"uint16", PlyType::uint16},   {"int", PlyType::int32},
-      {"int32", PlyType::int32},    {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
-      {"float", PlyType::float32},  {"float32", PlyType::float32}, {"double", PlyType::float64},
-      {"float64", PlyType::float64}};
+std::optional<NumberType> type_named(std::string_view word) {
+  static constexpr std::pair<std::string_view, NumberType> kNames[] = {
+      {"char", NumberType::int8},      {"int8", NumberType::int8},       {"uchar", NumberType::uint8},
+      {"uint8", NumberType::uint8},    {"short", NumberType::int16},     {"int16", NumberType::int16},
+      {"ushort", NumberType::uint16},  {"uint16", NumberType::uint16},   {"int", NumberType::int32},
+      {"int32", NumberType::int32},    {"uint", NumberType::uint32},     {"uint32", NumberType::uint32},
+      {"float", NumberType::float32},  {"float32", NumberType::float32}, {"double", NumberType::float64},
+      {"float64", NumberType::float64}};
   for (const auto& [name, type] : kNames) {
     if (name == word) return type;
   }
@@ -118,8 +117,8 @@ class HeaderReader {
     header_.elements.back().properties.push_back(std::move(property));
   }
 
-  PlyType take_type(std::string_view word) const {
-    const std::optional<PlyType> type = type_named(word);
+  NumberType take_type(std::string_view word) const {
+    const std::optional<NumberType> type = type_named(word);
     if (!type) throw error(shown(word) + " is not a PLY type");
     return *type;
   }
@@ -134,11 +133,6 @@ class HeaderReader {
 
 }  // namespace
 
-std::size_t byte_size(PlyType type) {
-  constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
-  return kSizes[static_cast<std::size_t>(type)];
-}
-
 std::size_t PlyElement::find(std::initializer_list<const char*> names) const {
   const auto named = [&](const PlyProperty& p) { return std::find(names.begin(), names.end(), p.name) != names.end(); };
   return static_cast<std::size_t>(std::find_if(properties.begin(), properties.end(), named) - properties.begin());
@@ -146,28 +140,6 @@ std::size_t PlyElement::find(std::initializer_list<const char*> names) const {
 
 PlyHeader read_ply_header(std::span<const std::byte> bytes, const std::string& name) {
   return HeaderReader({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name).read();
-}
-
-double load_ply_number(const std::byte* p, PlyType type, std::endian order) {
-  switch (type) {
-    case PlyType::int8:
-      return load_bytes<std::int8_t>(p, order);
-    case PlyType::uint8:
-      return load_bytes<std::uint8_t>(p, order);
-    case PlyType::int16:
-      return load_bytes<std::int16_t>(p, order);
-    case PlyType::uint16:
-      return load_bytes<std::uint16_t>(p, order);
-    case PlyType::int32:
-      return load_bytes<std::int32_t>(p, order);
-    case PlyType::uint32:
-      return load_bytes<std::uint32_t>(p, order);
-    case PlyType::float32:
-      return load_bytes<float>(p, order);
-    case PlyType::float64:
-      break;
-  }
-  return load_bytes<double>(p, order);
 }
 
 }  // namespace ligne

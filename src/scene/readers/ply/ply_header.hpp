@@ -1,7 +1,6 @@
 #pragma once
 /// The header of a PLY file (G. Turk, "The PLY Polygon File Format", 1994).
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -10,23 +9,17 @@
 #include <vector>
 
 #include "scene/model/diagnostics.hpp"
+#include "scene/readers/load_bytes.hpp"
 
 namespace ligne {
 
 enum class PlyEncoding : std::uint8_t { ascii, little_endian, big_endian };
-enum class PlyType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-std::size_t byte_size(PlyType type);
-constexpr bool is_float(PlyType type) { return type >= PlyType::float32; }
-
-/// The number of this type stored at p.
-double load_ply_number(const std::byte* p, PlyType type, std::endian order);
 
 struct PlyProperty {
   std::string name;
-  PlyType type = PlyType::float32;
+  NumberType type = NumberType::float32;
   bool is_list = false;
-  PlyType count_type = PlyType::uint8;  ///< type of a list's length
+  NumberType count_type = NumberType::uint8;  ///< type of a list's length
 };
 
 struct PlyElement {

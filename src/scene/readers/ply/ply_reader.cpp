@@ -129,7 +129,7 @@ class PlyReader {
     const bool with_normals = shading_ && std::ranges::all_of(normal_axes, [&](std::size_t p) {
                                 return p < none && !element.properties[p].is_list;
                               });
-    for (const std::size_t p : axes) is_float32_ = is_float32_ || element.properties[p].type == PlyType::float32;
+    for (const std::size_t p : axes) is_float32_ = is_float32_ || element.properties[p].type == NumberType::float32;
     report_.vertices += element.count;
     if (!with_normals && read_vertex_records(element, axes)) return;
     for (std::uint64_t i = 0; i < element.count; ++i) {

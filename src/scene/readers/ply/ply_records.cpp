@@ -17,13 +17,13 @@ bool fit(const PlyElement& element, std::size_t size, std::span<const std::byte>
 }
 
 /// The bits of a corner; nothing if they are not an index.
-std::optional<std::uint32_t> load_index(const std::byte* at, PlyType type, std::endian order) {
-  if (type == PlyType::int32 || type == PlyType::uint32) {
+std::optional<std::uint32_t> load_index(const std::byte* at, NumberType type, std::endian order) {
+  if (type == NumberType::int32 || type == NumberType::uint32) {
     const auto index = load_bytes<std::uint32_t>(at, order);
-    if (index == kNone || (type == PlyType::int32 && index > 0x7fffffffu)) return std::nullopt;
+    if (index == kNone || (type == NumberType::int32 && index > 0x7fffffffu)) return std::nullopt;
     return index;
   }
-  const double index = load_ply_number(at, type, order);
+  const double index = load_number(at, type, order);
   if (!(index >= 0 && index < double{kNone} && index == std::trunc(index))) return std::nullopt;
   return static_cast<std::uint32_t>(index);
 }
@@ -56,8 +56,8 @@ std::optional<double> read_coordinates(const PlyTriples& triples, std::span<Poin
       const std::byte* const item = records.data.data() + i * records.size;
       for (int k = 0; k < 3; ++k) {
         const auto [type, offset] = triples.fields[static_cast<std::size_t>(k)];
-        const double value = type == PlyType::float32 ? load_bytes<float>(item + offset, records.order)
-                                                      : load_ply_number(item + offset, type, records.order);
+        const double value = type == NumberType::float32 ? load_bytes<float>(item + offset, records.order)
+                                                         : load_number(item + offset, type, records.order);
         finite = finite && std::isfinite(value);
         largest = std::max(largest, std::abs(value));
         out[i][k] = value;
@@ -87,7 +87,7 @@ std::optional<PlyTriangles> ply_triangles(std::span<const std::byte> data, std::
     }
   }
   if (element.count == 0 || !fit(element, size, data)) return std::nullopt;
-  if (load_ply_number(data.data() + triangles.length.offset, triangles.length.type, order) != 3) return std::nullopt;
+  if (load_number(data.data() + triangles.length.offset, triangles.length.type, order) != 3) return std::nullopt;
   triangles.records = {data, order, static_cast<std::size_t>(element.count), size};
   return triangles;
 }
@@ -100,7 +100,7 @@ bool read_corners(const PlyTriangles& triangles, std::span<std::uint32_t> out) {
   parallel_blocks(records.count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::byte* const item = records.data.data() + i * records.size;
-      bool good = load_ply_number(item + length.offset, length.type, records.order) == 3;
+      bool good = load_number(item + length.offset, length.type, records.order) == 3;
       for (std::size_t k = 0; good && k < 3; ++k) {
         const auto index = load_index(item + corners.offset + k * step, corners.type, records.order);
         good = index.has_value();

@@ -15,7 +15,7 @@ namespace ligne {
 
 /// A scalar value that every item has.
 struct PlyField {
-  PlyType type = PlyType::float32;
+  NumberType type = NumberType::float32;
   std::size_t offset = 0;  ///< bytes from the start of the item
 };
 

@@ -6,10 +6,11 @@
 #ifdef LIGNE_HAVE_TIFF
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
+#include "scene/readers/load_bytes.hpp"
 #include "scene/surfaces/grids/raster_placement.hpp"
 #include "scene/surfaces/grids/tiff_tags.hpp"
 #include "scene/surfaces/held_heights.hpp"
@@ -46,13 +47,6 @@ struct TiffShape {
   std::size_t step_bits() const { return std::size_t{bits} * (planes ? 1 : channels); }
   std::size_t row_bytes(std::size_t count) const { return (count * step_bits() + 7) / 8; }
 };
-
-template <class Number>
-double number_at(const std::byte* at) {
-  Number number;
-  std::memcpy(&number, at, sizeof number);
-  return static_cast<double>(number);
-}
 
 /// Reads one band of the current directory, block by block: take(first sample, column, row, count). The pointer to the
 /// samples is null for blocks that a sparse file leaves out.
@@ -122,7 +116,7 @@ class TiffFile {
   }
 
   bool needs_double() const {
-    return scale_.is_given() || shape_.bits == 64 || (shape_.bits == 32 && shape_.format != SAMPLEFORMAT_IEEEFP);
+    return scale_.is_given() || shape_.bits == 64 || (shape_.bits == 32 && type_ != NumberType::float32);
   }
 
   template <class Height>
@@ -159,15 +153,18 @@ class TiffFile {
     if (shape_.photometric == PHOTOMETRIC_YCBCR || (colored && !choice.band)) {
       throw InputError(tags_.name(), "is a picture in colours; heights need one band, which --band N chooses");
     }
-    const bool whole = shape_.bits == 8 || shape_.bits == 16 || shape_.bits == 32 || shape_.bits == 64;
-    const bool is_float = shape_.format == SAMPLEFORMAT_IEEEFP && (shape_.bits == 32 || shape_.bits == 64);
-    const bool is_whole = whole && (shape_.format == SAMPLEFORMAT_UINT || shape_.format == SAMPLEFORMAT_INT);
-    if (!is_float && !is_whole) {
+    const bool is_number = shape_.format >= SAMPLEFORMAT_UINT && shape_.format <= SAMPLEFORMAT_IEEEFP;
+    const NumberKind kind = shape_.format == SAMPLEFORMAT_UINT  ? NumberKind::unsigned_integer
+                            : shape_.format == SAMPLEFORMAT_INT ? NumberKind::signed_integer
+                                                                : NumberKind::floating;
+    const auto type = is_number && shape_.bits % 8 == 0 ? number_type(kind, shape_.bits / 8) : std::nullopt;
+    if (!type) {
       constexpr const char* kKinds[] = {"unknown", "unsigned integer", "integer", "float",
                                         "unknown", "complex integer",  "complex"};
       throw not_read("values of " + std::to_string(shape_.bits) + " bits of kind " +
                      kKinds[shape_.format < std::size(kKinds) ? shape_.format : 0]);
     }
+    type_ = *type;
     if (shape_.channels == 0) throw tags_.broken();
     if (band_ >= shape_.channels) {
       throw InputError(tags_.name(), "has " + std::to_string(shape_.channels) + (shape_.channels == 1 ? " band" : " bands") +
@@ -185,20 +182,12 @@ class TiffFile {
     }
   }
 
-  double value(const std::byte* at) const {
-    const bool is_signed = shape_.format == SAMPLEFORMAT_INT;
-    if (shape_.format == SAMPLEFORMAT_IEEEFP) return shape_.bits == 32 ? number_at<float>(at) : number_at<double>(at);
-    if (shape_.bits == 8) return is_signed ? number_at<std::int8_t>(at) : number_at<std::uint8_t>(at);
-    if (shape_.bits == 16) return is_signed ? number_at<std::int16_t>(at) : number_at<std::uint16_t>(at);
-    if (shape_.bits == 32) return is_signed ? number_at<std::int32_t>(at) : number_at<std::uint32_t>(at);
-    return is_signed ? number_at<std::int64_t>(at) : number_at<std::uint64_t>(at);
-  }
+  double value(const std::byte* at) const { return load_number(at, type_, std::endian::native); }
 
   /// Whether a value is NODATA, which may be written with fewer or more digits than a float has.
   bool is_no_data(double z) const {
     if (!no_data_) return false;
-    const bool is_float32 = shape_.format == SAMPLEFORMAT_IEEEFP && shape_.bits == 32;
-    return z == *no_data_ || (is_float32 && static_cast<float>(z) == static_cast<float>(*no_data_));
+    return z == *no_data_ || (type_ == NumberType::float32 && static_cast<float>(z) == static_cast<float>(*no_data_));
   }
 
   /// The numbers of the band, row by row from the first one.
@@ -309,6 +298,7 @@ class TiffFile {
   TiffTags tags_;
   TiffShape shape_;
   unsigned band_;  ///< from 0
+  NumberType type_ = NumberType::float32;
   Warnings& warnings_;
   BandScale scale_;
   std::optional<double> no_data_;
