@@ -1,7 +1,6 @@
 #pragma once
 /// A model file in which every triangle is found by its number: binary STL, and binary PLY of triangles only.
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -10,7 +9,7 @@
 
 #include "files/mapped_file.hpp"
 #include "geometry/point.hpp"
-#include "scene/readers/ply/ply_header.hpp"
+#include "scene/readers/ply/ply_records.hpp"
 #include "scene/readers/read_report.hpp"
 
 namespace ligne {
@@ -23,8 +22,8 @@ class TriangleFile {
   /// the fault.
   static std::unique_ptr<TriangleFile> open(const std::filesystem::path& file, std::string& why);
 
-  std::size_t triangle_count() const { return triangles_.count; }
-  std::size_t vertex_count() const { return vertices_.count; }
+  std::size_t triangle_count() const { return triangles_.records.count; }
+  std::size_t vertex_count() const { return vertex_count_; }
   const std::string& name() const { return name_; }
   ReadReport report() const;
 
@@ -43,36 +42,21 @@ class TriangleFile {
   void forget_vertices(std::size_t begin, std::size_t end) const;
 
  private:
-  /// Records of equal size.
-  struct Records {
-    std::size_t begin = 0, size = 0, count = 0;
-    std::size_t end() const { return begin + size * count; }
-  };
-  struct Coordinate {
-    NumberType type = NumberType::float32;
-    std::size_t offset = 0;  ///< offset within the vertex
-  };
-
   TriangleFile(MappedFile file, std::string name) : file_(std::move(file)), name_(std::move(name)) {}
   bool find_stl();
   /// Returns an empty phrase, or the reason why the file is not usable.
   std::string find_ply();
-  std::string take_vertices(const PlyElement& element, std::size_t begin);
-  std::string take_faces(const PlyElement& element, std::size_t begin);
   Point3 vertex(std::size_t i) const;
-  std::uint32_t corner(std::size_t triangle, std::size_t k) const;
+  void forget(const PlyRecords& records, std::size_t begin, std::size_t end) const;
   void check_vertices();
   bool check_faces() const;
 
   MappedFile file_;
   std::string name_;
   ModelFormat format_ = ModelFormat::stl_binary;
-  std::endian order_ = std::endian::little;
-  Records triangles_, vertices_;
-  Coordinate coordinates_[3];                   ///< PLY
-  NumberType count_type_ = NumberType::uint8;   ///< PLY: type of a face's number of corners
-  NumberType index_type_ = NumberType::uint32;  ///< PLY
-  std::size_t list_ = 0;                        ///< PLY: offset of the number of corners within a face
+  PlyTriples vertices_;     ///< STL: items are triangles, and fields are those of their first corners
+  PlyTriangles triangles_;  ///< STL: without fields
+  std::size_t vertex_count_ = 0;
   bool is_float32_ = true;
   double precision_ = 0;
 };

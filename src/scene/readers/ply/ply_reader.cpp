@@ -159,18 +159,19 @@ class PlyReader {
 
   /// Reads a binary element without lists; false, with nothing read, if that is impossible.
   bool read_vertex_records(const PlyElement& element, const std::array<std::size_t, 3>& axes) {
-    const std::optional<PlyTriples> triples = ply_triples(data_.rest(), byte_order(), element, axes);
+    PlyTriples triples{{data_.rest(), byte_order()}, {}};
+    const bool found = locate_triples(element, axes, triples).empty() && triples.records.take(element.count);
     std::vector<Point3>& vertices = builder_.scene().vertices;
-    if (!triples || vertices.size() + triples->records.count >= kNone) return false;
+    if (!found || vertices.size() + triples.records.count >= kNone) return false;
     const std::size_t before = vertices.size();
-    vertices.resize(before + triples->records.count);
-    const std::optional<double> largest = read_coordinates(*triples, std::span(vertices).subspan(before));
+    vertices.resize(before + triples.records.count);
+    const std::optional<double> largest = read_coordinates(triples, std::span(vertices).subspan(before));
     if (!largest) {
       vertices.resize(before);
       return false;
     }
     largest_ = std::max(largest_, *largest);
-    data_.skip(triples->records);
+    data_.skip(triples.records);
     return true;
   }
 
@@ -192,12 +193,14 @@ class PlyReader {
 
   /// Reads a binary element of triangles; false, with nothing read, if that is impossible.
   bool read_triangle_records(const PlyElement& element, std::size_t indices) {
-    const std::optional<PlyTriangles> triangles = ply_triangles(data_.rest(), byte_order(), element, indices);
-    if (!triangles || triangles->records.count >= kNone / 3) return false;
-    std::vector<std::uint32_t> corners(3 * triangles->records.count);
-    if (!ligne::read_corners(*triangles, corners)) return false;
+    PlyTriangles triangles{{data_.rest(), byte_order()}, {}, {}};
+    const bool found = locate_triangles(element, indices, triangles).empty() && triangles.records.take(element.count);
+    const std::size_t count = triangles.records.count;
+    if (!found || count == 0 || count >= kNone / 3 || !triangles.is_triangle(0)) return false;
+    std::vector<std::uint32_t> corners(3 * count);
+    if (!ligne::read_corners(triangles, corners)) return false;
     builder_.add_triangles(std::move(corners));
-    data_.skip(triangles->records);
+    data_.skip(triangles.records);
     return true;
   }
 
