@@ -302,7 +302,7 @@ TEST(Operations, SpansAsInTheThesis) {
     std::sort(segments.begin(), segments.end(), [](const auto& a, const auto& b) { return watkins::comes_before(a, b); });
     if (segments.empty()) continue;
     std::vector<watkins::VisibleSpan> truth;
-    watkins::make_merge_method<double>()->study(segments, truth);
+    watkins::make_span_method<double>(watkins::SpanMethodKind::merge)->study(segments, truth);
     ThesisSpans spans(segments);
     EXPECT_NEAR(difference_of(spans.merge().spans, truth), 0, 1e-9 * 1000) << round;
     // Box shows one segment on the last column of a division: a column for each part.

@@ -269,18 +269,11 @@ class BoxMethod final : public SpanMethod<X> {
 }  // namespace
 
 template <class X>
-std::unique_ptr<SpanMethod<X>> make_box_method() {
-  return std::make_unique<BoxMethod<X>>(false);
+std::unique_ptr<SpanMethod<X>> make_box_method(bool remembers) {
+  return std::make_unique<BoxMethod<X>>(remembers);
 }
 
-template <class X>
-std::unique_ptr<SpanMethod<X>> make_remembered_method() {
-  return std::make_unique<BoxMethod<X>>(true);
-}
-
-template std::unique_ptr<SpanMethod<double>> make_box_method<double>();
-template std::unique_ptr<SpanMethod<std::int32_t>> make_box_method<std::int32_t>();
-template std::unique_ptr<SpanMethod<double>> make_remembered_method<double>();
-template std::unique_ptr<SpanMethod<std::int32_t>> make_remembered_method<std::int32_t>();
+template std::unique_ptr<SpanMethod<double>> make_box_method<double>(bool);
+template std::unique_ptr<SpanMethod<std::int32_t>> make_box_method<std::int32_t>(bool);
 
 }  // namespace ligne::watkins

@@ -1,5 +1,9 @@
 #include "visibility/watkins/spans/span_method.hpp"
 
+#include "visibility/watkins/spans/merge_spans.hpp"
+#include "visibility/watkins/spans/point_spans.hpp"
+#include "visibility/watkins/spans/stack_spans.hpp"
+
 namespace ligne::watkins {
 
 std::uint64_t SpanCounts::total() const {
@@ -30,16 +34,16 @@ template <class X>
 std::unique_ptr<SpanMethod<X>> make_span_method(SpanMethodKind kind) {
   switch (kind) {
     case SpanMethodKind::merge:
-      return make_merge_method<X>();
-    case SpanMethodKind::box:
-      return make_box_method<X>();
+      return std::make_unique<MergeMethod<X>>();
     case SpanMethodKind::point:
-      return make_point_method<X>();
+      return std::make_unique<PointMethod<X>>();
+    case SpanMethodKind::box:
     case SpanMethodKind::remembered:
-      return make_remembered_method<X>();
-    default:
-      return make_stack_method<X>();
+      return make_box_method<X>(kind == SpanMethodKind::remembered);
+    case SpanMethodKind::stack:
+      break;
   }
+  return std::make_unique<StackMethod<X>>();
 }
 
 template std::unique_ptr<SpanMethod<double>> make_span_method<double>(SpanMethodKind);

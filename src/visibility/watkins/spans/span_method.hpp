@@ -150,16 +150,9 @@ class SpanMethod {
 template <class X>
 std::unique_ptr<SpanMethod<X>> make_span_method(SpanMethodKind kind);
 
+/// Method `box`, or `remembered`. Private to spans.
 template <class X>
-std::unique_ptr<SpanMethod<X>> make_merge_method();
-template <class X>
-std::unique_ptr<SpanMethod<X>> make_stack_method();
-template <class X>
-std::unique_ptr<SpanMethod<X>> make_box_method();
-template <class X>
-std::unique_ptr<SpanMethod<X>> make_point_method();
-template <class X>
-std::unique_ptr<SpanMethod<X>> make_remembered_method();
+std::unique_ptr<SpanMethod<X>> make_box_method(bool remembers);
 
 /// Relative difference below which depths are equal. Depths updated line by line carry the rounding of thousands of
 /// additions, and touching faces must touch on every line. For a depth as large as a page it is a third of a nanometre.

@@ -1,14 +1,14 @@
+#pragma once
+/// Span method `merge` ([Boulle1980] 2.3.3.1, Fusion, after Lucas 1977). Invariant: the visible list, sorted by x, contains
+/// the nearest of the segments taken so far. Its pieces touch or leave gaps (the background), but never overlap. Each new
+/// segment is compared with the pieces that it overlaps: test IS cuts both to the common run, test PRO decides which is
+/// visible there.
+
 #include <algorithm>
 
 #include "visibility/watkins/spans/span_method.hpp"
 
-// Span method `merge` ([Boulle1980] 2.3.3.1, Fusion, after Lucas 1977). Invariant: the visible list, sorted by x, contains
-// the nearest of the segments taken so far. Its pieces touch or leave gaps (the background), but never overlap. Each new
-// segment is compared with the pieces that it overlaps: test IS cuts both to the common run, test PRO decides which is
-// visible there.
-
 namespace ligne::watkins {
-namespace {
 
 template <class X>
 class MergeMethod final : public SpanMethod<X> {
@@ -109,15 +109,5 @@ class MergeMethod final : public SpanMethod<X> {
   std::uint32_t head_ = kEnd;
   std::uint32_t passed_ = kEnd;  ///< last listed piece left of the current segment: only pieces right of it are replaced
 };
-
-}  // namespace
-
-template <class X>
-std::unique_ptr<SpanMethod<X>> make_merge_method() {
-  return std::make_unique<MergeMethod<X>>();
-}
-
-template std::unique_ptr<SpanMethod<double>> make_merge_method<double>();
-template std::unique_ptr<SpanMethod<std::int32_t>> make_merge_method<std::int32_t>();
 
 }  // namespace ligne::watkins

@@ -1,18 +1,16 @@
+#pragma once
+/// Span method `point` ([Boulle1980] 2.3.2.6, point par point, after Lucas 1977): every cell of the line stores depth and
+/// segment, and every segment is compared with all cells that it covers. With integer coordinates a cell is the run between
+/// adjacent integers, and depths are compared at its middle, so penetrations are rounded to cells. With real coordinates the
+/// cells are the runs between adjacent ends of segments, and a cell is cut where the depth order changes inside it.
+
 #include <algorithm>
 #include <limits>
 #include <type_traits>
 
 #include "visibility/watkins/spans/span_method.hpp"
 
-// Span method `point` ([Boulle1980] 2.3.2.6, point par point, after Lucas 1977): every cell of the line stores depth and
-// segment, and every segment is compared with all cells that it covers. With integer coordinates a cell is the run between
-// adjacent integers, and depths are compared at its middle, so penetrations are rounded to cells. With real coordinates the
-// cells are the runs between adjacent ends of segments, and a cell is cut where the depth order changes inside it.
-
 namespace ligne::watkins {
-namespace {
-
-constexpr std::uint32_t kNobody = 0xffffffffu;
 
 template <class X>
 class PointMethod final : public SpanMethod<X> {
@@ -28,6 +26,8 @@ class PointMethod final : public SpanMethod<X> {
   }
 
  private:
+  static constexpr std::uint32_t kNobody = 0xffffffffu;
+
   void study_cells(std::vector<VisibleSpan>& out) {
     std::int64_t from = std::numeric_limits<std::int64_t>::max(), to = std::numeric_limits<std::int64_t>::min();
     for (const ScanSegment<X>& s : segments_) {
@@ -109,15 +109,5 @@ class PointMethod final : public SpanMethod<X> {
   std::vector<double> depth_, ends_;
   std::vector<std::uint32_t> seen_;
 };
-
-}  // namespace
-
-template <class X>
-std::unique_ptr<SpanMethod<X>> make_point_method() {
-  return std::make_unique<PointMethod<X>>();
-}
-
-template std::unique_ptr<SpanMethod<double>> make_point_method<double>();
-template std::unique_ptr<SpanMethod<std::int32_t>> make_point_method<std::int32_t>();
 
 }  // namespace ligne::watkins

@@ -1,19 +1,19 @@
+#pragma once
+/// Span method `stack` ([Boulle1980] 2.3.3.2, Pile, after Hamlin and Gear 1977). It visits the ends of segments from left to
+/// right. Invariant: `current_` is the nearest segment over the next run, at least up to `turn_`. All other segments that
+/// have begun and not ended are on the stack, unordered, possibly with some that have ended.
+///
+/// [Boulle1980] pops until it finds a segment that has not ended, which assumes a stack ordered by depth. It is not: a
+/// segment that begins behind the current one is pushed on top of nearer ones. So the stack is searched for the nearest, and
+/// ended segments are removed on the way. The search also finds where the current segment will be penetrated (2.3.3.2, "Cas
+/// des faces pénétrantes"): two depth tests where one would suffice without penetration.
+
 #include <algorithm>
 #include <limits>
 
 #include "visibility/watkins/spans/span_method.hpp"
 
-// Span method `stack` ([Boulle1980] 2.3.3.2, Pile, after Hamlin and Gear 1977). It visits the ends of segments from left to
-// right. Invariant: `current_` is the nearest segment over the next run, at least up to `turn_`. All other segments that
-// have begun and not ended are on the stack, unordered, possibly with some that have ended.
-//
-// [Boulle1980] pops until it finds a segment that has not ended, which assumes a stack ordered by depth. It is not: a
-// segment that begins behind the current one is pushed on top of nearer ones. So the stack is searched for the nearest, and
-// ended segments are removed on the way. The search also finds where the current segment will be penetrated (2.3.3.2, "Cas
-// des faces pénétrantes"): two depth tests where one would suffice without penetration.
-
 namespace ligne::watkins {
-namespace {
 
 template <class X>
 class StackMethod final : public SpanMethod<X> {
@@ -178,15 +178,5 @@ class StackMethod final : public SpanMethod<X> {
   std::uint32_t current_ = kNobody, turned_to_ = kNobody;
   double turn_ = kFar;  ///< place where the current segment is penetrated next
 };
-
-}  // namespace
-
-template <class X>
-std::unique_ptr<SpanMethod<X>> make_stack_method() {
-  return std::make_unique<StackMethod<X>>();
-}
-
-template std::unique_ptr<SpanMethod<double>> make_stack_method<double>();
-template std::unique_ptr<SpanMethod<std::int32_t>> make_stack_method<std::int32_t>();
 
 }  // namespace ligne::watkins
