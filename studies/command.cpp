@@ -71,12 +71,10 @@ void setup_study(CLI::App& app, StudyCommandOptions& options) {
   add_arguments(command, "NAME", options.words, false, "an experiment, or all; model files after the name are studied too");
   OptionGroup group(command, "Options");
   group.add_flag("--list", options.list, "list the experiments");
-  group
-      .add(
-          "--size", "SIZE", options.size,
-          [](const std::string& text) { return static_cast<StudySize>(parse_choice(text, kStudySizeNames)); },
-          "full, or small: the same tables for smaller scenes")
-      .standard("full");
+  group.add(
+      "--size", "SIZE", options.size,
+      [](const std::string& text) { return static_cast<StudySize>(parse_choice(text, kStudySizeNames)); },
+      "full, or small: the same tables for smaller scenes", "full");
   group.add("--json", "FILE", options.json, parse_file_name, "write the tables as JSON; - is standard output");
   group.add("--csv", "FILE", options.csv, parse_file_name, "write the figures as CSV, one per line");
   group.add("--svg", "FILE", options.svg, parse_file_name, "write the plots, one below the other");

@@ -60,20 +60,17 @@ void setup_compare(CLI::App& app, CompareOptions& options) {
   CLI::App& command = *add_command(app, "compare", "Compare all methods on one scene", kCompareExamples);
   add_model_options(command, options.model);
   OptionGroup group(command, "Methods");
-  group.add("--methods", "NAME,...", options.methods, parse_methods, "methods to compare; see ligne methods")
-      .standard("all");
-  group
-      .add(
-          "--time-limit", "S", options.limit_seconds,
-          [](const std::string& text) { return parse_within(text, 0, kMostLimitSeconds, "seconds"); },
-          "time limit per method; slower methods are stopped")
-      .standard("60");
+  group.add("--methods", "NAME,...", options.methods, parse_methods, "methods to compare; see ligne methods", "all");
+  group.add(
+      "--time-limit", "S", options.limit_seconds,
+      [](const std::string& text) { return parse_within(text, 0, kMostLimitSeconds, "seconds"); },
+      "time limit per method; slower methods are stopped", "60");
   OptionGroup output(command, "Output");
   const Option json = output.add_flag("--json", options.json, "write JSON");
   output.add_flag("--csv", options.csv, "write comma-separated values").excludes({json});
   output.add("--html", "FILE", options.html, parse_file_name,
              "write a self-contained HTML page with the drawings, differences in red, and tables");
-  output.add("-o,--output", "FILE", options.output, parse_file_name, "file to write").standard("standard output");
+  output.add("-o,--output", "FILE", options.output, parse_file_name, "file to write", "standard output");
   add_view_options(command, options.view);
   add_line_options(command, options.lines, options.method, false);
   add_page_options(command, options.page);

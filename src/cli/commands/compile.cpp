@@ -44,8 +44,7 @@ void setup_compile(CLI::App& app, CompileOptions& options) {
   add_compile_options(command, options.method, options.choice);
   OptionGroup(command, "Lines")
       .add("--quality", "HOW", options.model.quality, parse_word<Quality>(kQualityNames),
-           "clear: repair the model as for clear lines; exact: keep it as stored")
-      .standard("clear");
+           "clear: repair the model as for clear lines; exact: keep it as stored", "clear");
   OptionGroup(command, "Output")
       .add("-o,--output", "FILE", options.output, parse_file_name, "file to write; - is standard output");
   add_run_options(command, options.run);

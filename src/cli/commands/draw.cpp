@@ -41,12 +41,11 @@ void add_mixed_scene_options(CLI::App& draw, SurfaceRequest& request) {
   group.add("-x", "A:B[:N]", request.x, parse_range, "range of x and number of curves (default: the extent of the models)");
   group.add("-y", "A:B[:N]", request.y, parse_range, "range of y, likewise");
   add_parameter_ranges(group, request);
-  group.add("--samples", "N", request.samples, count_between(2, kMostSamplesOfCurve), "formula: points per curve")
-      .standard("5 between curves");
-  group
-      .add("--every", "N", request.every, count_between(1, kMostSamplesOfCurve), "grid: a curve at every Nth row and column")
-      .standard("60 curves each way");
-  group.add("--z-scale", "K", request.z_scale, parse_positive, "scale factor for the heights of surfaces").standard("1");
+  group.add("--samples", "N", request.samples, count_between(2, kMostSamplesOfCurve), "formula: points per curve",
+            "5 between curves");
+  group.add("--every", "N", request.every, count_between(1, kMostSamplesOfCurve),
+            "grid: a curve at every Nth row and column", "60 curves each way");
+  group.add("--z-scale", "K", request.z_scale, parse_positive, "scale factor for the heights of surfaces", "1");
   group.add("--z-range", "A:B", request.z_range, parse_heights, "clip surfaces to heights A to B");
 }
 
@@ -60,25 +59,23 @@ void add_profile_option(CLI::App& app, std::optional<ProfileKind>& profile) {
   OptionGroup(app, "Lines")
       .add("--profile", "HOW", profile, parse_profile,
            "draw outer outlines wider, in their own layer. off; sheet: where only the sheet is behind; parts: also in front "
-           "of other objects")
-      .standard("off; sheet where --edges names profile");
+           "of other objects",
+           "off; sheet where --edges names profile");
 }
 
 void add_frame_options(CLI::App& app, DrawOptions& options) {
   constexpr unsigned kMostFrames = 100'000;
   constexpr double kMostDegrees = 36'000;
   OptionGroup group(app, "View");
-  const Option frames = group
-                            .add("--frames", "N", options.frames.count, count_between(2, kMostFrames),
-                                 "N views of the rotating model: files -o name%03d.svg, or the pages of one PDF")
-                            .standard("one view");
+  const Option frames =
+      group.add("--frames", "N", options.frames.count, count_between(2, kMostFrames),
+                "N views of the rotating model: files -o name%03d.svg, or the pages of one PDF", "one view");
   const Option turn =
       group
           .add(
               "--turn", "DEG", options.frames.turn_degrees,
               [](const std::string& text) { return parse_within(text, -kMostDegrees, kMostDegrees, "degrees"); },
-              "total rotation over all frames, counter-clockwise as seen from above")
-          .standard("360")
+              "total rotation over all frames, counter-clockwise as seen from above", "360")
           .needs(frames);
   const Option to = group.add("--to", "X,Y,Z", options.last_eye, parse_point,
                               "with --eye and --frames: end of the straight path of the eye");
@@ -282,19 +279,18 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
   OptionGroup faces(draw, "Faces");
   faces.add_flag("--shade", picture.gray_faces,
                  "grey faces, lit from the eye, by a method with spans or pixels; without --method by watkins");
-  faces
-      .add(
-          "--shade-tone", "HOW", picture.gray_tone, parse_gray_tone,
-          "with --shade and --fill shade; face: one tone per face; smooth: continuous over smooth surfaces, as an image of --dpi")
-      .standard("face");
+  faces.add(
+      "--shade-tone", "HOW", picture.gray_tone, parse_gray_tone,
+      "with --shade and --fill shade; face: one tone per face; smooth: continuous over smooth surfaces, as an image of --dpi",
+      "face");
   add_hatch_options(draw, picture.hatch);
   add_plotter_options(draw, options.plotter);
   add_run_options(draw, options.run);
   OptionGroup(draw, "Work")
       .add("--stream", "HOW", options.streaming, parse_word<Streaming>(kStreamingNames),
            "read binary STL and PLY (with --quality exact) in several passes instead of into memory: on, off; auto: if the "
-           "model would take more than half of --max-memory")
-      .standard("auto");
+           "model would take more than half of --max-memory",
+           "auto");
 }
 
 void run_draw(const DrawOptions& options) {

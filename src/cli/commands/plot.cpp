@@ -22,18 +22,15 @@ constexpr const char* kPlotExamples = R"(Examples:
 
 void add_placing_options(CLI::App& app, PlotDrawingRequest& options) {
   OptionGroup group(app, "Page");
-  group
-      .add("--page", "SIZE", options.page, parse_page_size,
-           "A0 to A6, letter, legal, tabloid, or WxH; the drawing is centred on it")
-      .standard("the drawing's");
+  group.add("--page", "SIZE", options.page, parse_page_size,
+            "A0 to A6, letter, legal, tabloid, or WxH; the drawing is centred on it", "the drawing's");
   const Option landscape = group.add_flag("--landscape", options.landscape, "landscape page");
   const Option portrait = group.add_flag("--portrait", options.portrait, "portrait page");
-  group.add("--margin", "LEN", options.margin_mm, parse_length_mm, "page margin, with --scale fit").standard("10mm");
-  group.add("--pen-width", "LEN", options.pen_width_mm, parse_pen_width, "line width, unless a pen has its own")
-      .standard("the drawing's");
+  group.add("--margin", "LEN", options.margin_mm, parse_length_mm, "page margin, with --scale fit", "10mm");
+  group.add("--pen-width", "LEN", options.pen_width_mm, parse_pen_width, "line width, unless a pen has its own",
+            "the drawing's");
   add_width_option(app, options.widths_mm, false);
-  group.add("--scale", "fit|N:M", options.scale, parse_scale, "scale factor, or fit the drawing to the page")
-      .standard("1:1");
+  group.add("--scale", "fit|N:M", options.scale, parse_scale, "scale factor, or fit the drawing to the page", "1:1");
   landscape.excludes({portrait});
 }
 
@@ -64,8 +61,7 @@ void add_part_options(CLI::App& app, LongPlotRequest& parts) {
       "--split", "time|distance|lifts=N", parts.split, parse_split,
       "divide the plot into parts of time=30min, distance=3m of drawn lines, or lifts=200: files -o part%d.gcode, or pauses "
       "in one file");
-  group.add("--from-stroke", "N", parts.from_stroke, parse_stroke_number, "begin with the Nth stroke of the plot")
-      .standard("1");
+  group.add("--from-stroke", "N", parts.from_stroke, parse_stroke_number, "begin with the Nth stroke of the plot", "1");
   group.add("--from-time", "TIME", parts.from_seconds, parse_duration_s,
             "begin with the stroke that the plot would draw at this time: 90s, 30min, 12:30");
   const Option every =
@@ -82,9 +78,7 @@ void add_sheet_options(CLI::App& app, PlotDrawingRequest& request) {
   OptionGroup group(app, "Page");
   const Option tile = group.add("--tile", "SIZE", request.tile, parse_page_size,
                                 "cut the page into sheets of that size: files -o sheet%d.svg, or pages of a PDF");
-  group.add("--overlap", "LEN", request.overlap_mm, parse_min_length, "overlap of neighbouring sheets")
-      .standard("5mm")
-      .needs(tile);
+  group.add("--overlap", "LEN", request.overlap_mm, parse_min_length, "overlap of neighbouring sheets", "5mm").needs(tile);
   group.add("--grid", "CxR", request.grid, parse_grid, "columns and rows for several drawings on one sheet");
 }
 
@@ -134,24 +128,19 @@ void setup_plot(CLI::App& app, PlotCommandOptions& options) {
             "SVG features to leave out: text, image, fill, clip-path, ...");
   input.add_flag("--strict", options.request.reading.strict,
                  "stop with an error at the first SVG feature that can not be drawn, instead of leaving it out");
-  input
-      .add("--input-dpi", "N", options.request.reading.px_per_inch, parse_dpi,
-           "SVG user units per inch: 96 (CSS); 72 or 90 in files of some programs")
-      .standard("96");
-  input
-      .add_text(
-          "--fill", "HOW",
-          [&options](const std::string& text) { parse_plot_fill(text, options.request.fills, options.request.paint); },
-          "fills of an SVG. refuse: stop with an error; outline: draw contours; hatch: contours and hatching. Faces of a "
-          "ligne-drawing that has an order: material, shade, paper, random, as in draw --fill")
-      .standard("outline");
+  input.add("--input-dpi", "N", options.request.reading.px_per_inch, parse_dpi,
+            "SVG user units per inch: 96 (CSS); 72 or 90 in files of some programs", "96");
+  input.add_text(
+      "--fill", "HOW",
+      [&options](const std::string& text) { parse_plot_fill(text, options.request.fills, options.request.paint); },
+      "fills of an SVG. refuse: stop with an error; outline: draw contours; hatch: contours and hatching. Faces of a "
+      "ligne-drawing that has an order: material, shade, paper, random, as in draw --fill",
+      "outline");
   input.add_repeatable(
       "--material", "NAME=COLOUR", [&options](const std::string& text) { parse_material(text, options.request.paint); },
       "with --fill material or shade: replace the colour of a material; repeatable");
-  input
-      .add("--min-length", "LEN", options.plotter.choice.request.min_length_mm, parse_length_mm,
-           "omit strokes shorter than LEN, after joining")
-      .standard("0");
+  input.add("--min-length", "LEN", options.plotter.choice.request.min_length_mm, parse_length_mm,
+            "omit strokes shorter than LEN, after joining", "0");
   input.add_flag_with_text(
       "--occlude", options.occlude,
       "opaque SVG areas hide strokes below them, as white areas always do; =layer: only strokes of their own layer");

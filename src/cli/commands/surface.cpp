@@ -67,30 +67,20 @@ void add_terrain_options(CLI::App& surface, SurfaceRequest& request) {
   group.add_flag_or_value(
       "--contour-labels", "[index|all]", [&curves](const std::string& text) { curves.labels = parse_contour_labels(text); },
       "label contour lines with their heights: index contours only, or all");
-  group
-      .add("--index-contours", "N", curves.index_contours, parse_index_contours,
-           "draw every Nth contour line wider, in layer contour-index; 0: none")
-      .standard("5 with --contour-step, else 0");
+  group.add("--index-contours", "N", curves.index_contours, parse_index_contours,
+            "draw every Nth contour line wider, in layer contour-index; 0: none", "5 with --contour-step, else 0");
   group.add_text(
       "--water", "Z|nodata", [&terrain](const std::string& text) { parse_water(text, terrain); },
       "treat areas below Z as water, or areas of a grid without heights; the shoreline is layer shore");
-  group
-      .add("--water-fill", "blank|hatch", terrain.water_fill, parse_water_fill,
-           "leave water blank, or hatch it with horizontal strokes in layer water")
-      .standard("blank");
-  group
-      .add("--hachures", "none|contour|slope", terrain.hachures, parse_hachures,
-           "hill shading by hachures along contour lines or down the slope, in layer hatch")
-      .standard("none");
-  group
-      .add("--hachure-spacing", "LEN", terrain.hachure_mm, parse_hatch_spacing,
-           "distance between strokes in the darkest tone")
-      .standard("2.2 pen widths");
-  group
-      .add_text(
-          "--sun", "AZIMUTH[:ALTITUDE]", [&terrain](const std::string& text) { parse_sun(text, terrain); },
-          "direction of the light for hachures: degrees clockwise from north (y), and degrees above the ground")
-      .standard("315:45");
+  group.add("--water-fill", "blank|hatch", terrain.water_fill, parse_water_fill,
+            "leave water blank, or hatch it with horizontal strokes in layer water", "blank");
+  group.add("--hachures", "none|contour|slope", terrain.hachures, parse_hachures,
+            "hill shading by hachures along contour lines or down the slope, in layer hatch", "none");
+  group.add("--hachure-spacing", "LEN", terrain.hachure_mm, parse_hatch_spacing,
+            "distance between strokes in the darkest tone", "2.2 pen widths");
+  group.add_text(
+      "--sun", "AZIMUTH[:ALTITUDE]", [&terrain](const std::string& text) { parse_sun(text, terrain); },
+      "direction of the light for hachures: degrees clockwise from north (y), and degrees above the ground", "315:45");
   group.add_flag_or_value(
       "--scale-bar", "[UNIT]",
       [&axes](const std::string& text) {
@@ -110,10 +100,8 @@ void add_annotation_options(CLI::App& surface, SurfaceRequest& request) {
       },
       "a space curve given by three formulas in t; surfaces can hide it; Z may be the word surface: on the surface "
       "(repeatable)");
-  group
-      .add_each("-t", "A:B[:N]", request.t, parse_range,
-                "range of t and number of segments (repeatable: for the next curve)")
-      .standard("0:2*pi:600");
+  group.add_each("-t", "A:B[:N]", request.t, parse_range,
+                 "range of t and number of segments (repeatable: for the next curve)", "0:2*pi:600");
   group.add_each(
       "--points", "FILE", request.point_files, std::identity(),
       "markers at the visible points of a table or of arrays: x, y, optional z (default: on the surface), optional label "

@@ -62,14 +62,10 @@ void add_curve_options(CLI::App& app, CurveRequest& request) {
       "only there");
   group.add("--outline", "on|off", request.outline, parse_word<bool>(kOutlineNames),
             "silhouettes and borders of the surface, in their own layers (default: on)");
-  group
-      .add("--underside", "same|apart|none", request.underside, parse_word<Underside>(kUndersideNames),
-           "curves on the underside: with the others, in layer underside, or not drawn")
-      .standard("same");
-  group
-      .add("--hidden-by", "surface|curves", request.hidden_by, parse_word<HiddenBy>(kHiddenByNames),
-           "what hides: the surface with all its samples, or only the drawn curves, as in the classical method")
-      .standard("surface");
+  group.add("--underside", "same|apart|none", request.underside, parse_word<Underside>(kUndersideNames),
+            "curves on the underside: with the others, in layer underside, or not drawn", "same");
+  group.add("--hidden-by", "surface|curves", request.hidden_by, parse_word<HiddenBy>(kHiddenByNames),
+            "what hides: the surface with all its samples, or only the drawn curves, as in the classical method", "surface");
   group.add_flag_or_value("--ridgeline", "[K]", flag_with_number(request.ridgeline, request.ridgeline_overlap),
                           "ridgeline plot, as on the cover of Unknown Pleasures; heights span K rows (default: 6)");
 }
@@ -123,8 +119,7 @@ void add_grid_options(OptionGroup& group, SurfaceRequest& request) {
       "--layout", "matrix|frame|series|columns", request.layout, parse_layout,
       "grid, layout of a table. matrix: only heights; frame: first row and column are positions; series: first column is "
       "positions; columns: x, y and z (default: detected)");
-  group.add("--band", "N", request.band, count_between(1, kMostBands), "grid: raster band that has the heights")
-      .standard("1");
+  group.add("--band", "N", request.band, count_between(1, kMostBands), "grid: raster band that has the heights", "1");
   group.add("--ground", "metres|degrees", request.ground, parse_ground,
             "unit of the positions of a grid: that of the heights, or degrees (default: from the file)");
   group.add("--max-slope", "S", request.max_slope, parse_positive, "grid: omit cells with a slope above S");
@@ -138,23 +133,18 @@ void add_source_options(CLI::App& surface, SurfaceRequest& request) {
       "heights from a file, - for standard input: CSV or TSV matrix, table, lines of x y z, ESRI ASCII grid, PGM, PNG, "
       "GeoTIFF (repeatable)");
   add_parametric(group, request, "a surface as three formulas in u and v (repeatable)");
-  group.add("-x", "A:B[:N]", request.x, parse_range, "range of x and number of curves of constant x; with --grid a window")
-      .standard("-5:5:40");
-  group.add("-y", "A:B[:N]", request.y, parse_range, "range of y, likewise").standard("-5:5:40");
+  group.add("-x", "A:B[:N]", request.x, parse_range, "range of x and number of curves of constant x; with --grid a window",
+            "-5:5:40");
+  group.add("-y", "A:B[:N]", request.y, parse_range, "range of y, likewise", "-5:5:40");
   add_parameter_ranges(group, request);
-  group
-      .add("--samples", "N", request.samples, count_between(2, kMostSamples),
-           "points per curve, rounded up so that crossings with the other family are among them")
-      .standard("5 between curves, up to 1000");
-  group
-      .add("--every", "N|auto", request.every, parse_every,
-           "grid: a curve at every Nth row and column; auto: so that curves are 1.5 pen widths apart")
-      .standard("auto");
+  group.add("--samples", "N", request.samples, count_between(2, kMostSamples),
+            "points per curve, rounded up so that crossings with the other family are among them",
+            "5 between curves, up to 1000");
+  group.add("--every", "N|auto", request.every, parse_every,
+            "grid: a curve at every Nth row and column; auto: so that curves are 1.5 pen widths apart", "auto");
   add_grid_options(group, request);
-  group
-      .add("--lines", "x|y|xy|none", request.lines, parse_word<CurveFamilies>(kCurveFamilyNames),
-           "curves to draw: of constant x, of constant y, both, or none (only contours and outlines)")
-      .standard("xy");
+  group.add("--lines", "x|y|xy|none", request.lines, parse_word<CurveFamilies>(kCurveFamilyNames),
+            "curves to draw: of constant x, of constant y, both, or none (only contours and outlines)", "xy");
   group.add("--z-range", "A:B", request.z_range, parse_heights, "clip the surface to heights A to B");
   group.add_flag_or_value("--skirt", "[Z]", flag_with_number(request.skirt, request.skirt_base),
                           "walls from the border down to height Z (default: lowest height minus 5 % of the range)");
@@ -172,38 +162,28 @@ void add_method_choice(CLI::App& surface, SurfaceOptions& options) {
     for (const Method* method : all_methods()) names.push_back(method->traits().name);
     throw std::invalid_argument(shown(text, '"') + " is not one of " + list_of(names) + suggestion(text, names));
   };
-  group
-      .add_text("--method", "NAME", take_method,
-                "horizon, or a mesh method (see ligne methods); auto: horizon if it can draw the request")
-      .standard("auto");
-  group
-      .add("--hidden", "HOW", options.request.picture.lines.hidden, parse_hidden,
-           "draw hidden lines in their own layer: none dashed solid")
-      .standard("none");
+  group.add_text("--method", "NAME", take_method,
+                 "horizon, or a mesh method (see ligne methods); auto: horizon if it can draw the request", "auto");
+  group.add("--hidden", "HOW", options.request.picture.lines.hidden, parse_hidden,
+            "draw hidden lines in their own layer: none dashed solid", "none");
 }
 
 void add_horizon_options(CLI::App& surface, SurfaceOptions& options) {
   OptionGroup group(surface, "Surface");
-  group
-      .add("--horizon", "exact|pixels", options.pixels, parse_word<bool>(kHorizonNames),
-           "the horizon as exact polylines, or as an array of pixels")
-      .standard("exact");
-  group
-      .add("--resolution", "N", options.resolution, count_between(1, kHighestResolution),
-           "pixels: columns across the picture")
-      .standard("2000");
+  group.add("--horizon", "exact|pixels", options.pixels, parse_word<bool>(kHorizonNames),
+            "the horizon as exact polylines, or as an array of pixels", "exact");
+  group.add("--resolution", "N", options.resolution, count_between(1, kHighestResolution),
+            "pixels: columns across the picture", "2000");
 }
 
 void add_angle_options(CLI::App& surface, SurfaceRequest& request) {
   OptionGroup group(surface, "View");
-  group.add("--azimuth", "DEG", request.azimuth_degrees, parse_number, "azimuth of the viewer, from the x axis towards y")
-      .standard("-60");
-  group
-      .add(
-          "--elevation", "DEG", request.elevation_degrees,
-          [](const std::string& t) { return parse_within(t, -90, 90, "degrees"); },
-          "elevation of the viewer above the ground")
-      .standard("30");
+  group.add("--azimuth", "DEG", request.azimuth_degrees, parse_number, "azimuth of the viewer, from the x axis towards y",
+            "-60");
+  group.add(
+      "--elevation", "DEG", request.elevation_degrees,
+      [](const std::string& t) { return parse_within(t, -90, 90, "degrees"); }, "elevation of the viewer above the ground",
+      "30");
 }
 
 }  // namespace

@@ -97,8 +97,8 @@ void add_parameters(CLI::App& app, MethodChoice& choice, bool of_compile = false
       continue;
     }
     const auto note = [&choice, parameter](const std::string& text) { choice.parameters.emplace_back(parameter, text); };
-    group.add_text("--" + std::string(parameter->name), kind_of(uses), note, help_of(uses))
-        .standard(std::string(parameter->standard));
+    group.add_text("--" + std::string(parameter->name), kind_of(uses), note, help_of(uses),
+                   std::string(parameter->standard));
   }
   const auto note = [&choice, settings](const std::string& text) { note_setting(text, settings, choice); };
   group.add_repeatable("--set", "NAME=VALUE", note,
@@ -194,44 +194,39 @@ std::string names_of(unsigned formats) {
 void add_line_options(CLI::App& app, LineRequest& request, MethodChoice& choice, bool one_method) {
   OptionGroup group(app, "Lines");
   if (one_method) {
-    group.add("--method", "NAME", request.method, parse_method, "visibility method; see ligne methods").standard("auto");
+    group.add("--method", "NAME", request.method, parse_method, "visibility method; see ligne methods", "auto");
   }
   const auto parse_given_edges = [&choice](const std::string& text) {
     choice.edges_given = true;
     return parse_edges(text);
   };
-  group
-      .add("--edges", "LIST", request.classes, parse_given_edges,
-           "line classes to draw, comma-separated: outline, crease, border, intersection, tangent, mesh, shadow, profile, "
-           "suggestive, ridge, valley, detail; feature: the first five; all: the first six")
-      .standard("feature");
+  group.add("--edges", "LIST", request.classes, parse_given_edges,
+            "line classes to draw, comma-separated: outline, crease, border, intersection, tangent, mesh, shadow, profile, "
+            "suggestive, ridge, valley, detail; feature: the first five; all: the first six",
+            "feature");
   const auto parse_both_creases = [&request](const std::string& text) {
     return request.surface_crease_degrees = parse_crease(text);
   };
-  group.add("--crease", "DEG", request.crease_degrees, parse_both_creases, "smallest angle between normals at a crease")
-      .standard("30 between faces, 10 between surfaces that the mesh approximates");
-  group
-      .add(
-          "--tangent", "HOW", request.tangent, parse_tangent,
-          "lines of fillets. borders; middles: their middle lines; auto: middles of narrow fillets, borders of others; none")
-      .standard("auto");
-  group.add("--min-length", "LEN", request.least_mm, parse_min_length, "omit visible line parts shorter than LEN")
-      .standard("1.5 pens; 0 for exact lines");
+  group.add("--crease", "DEG", request.crease_degrees, parse_both_creases, "smallest angle between normals at a crease",
+            "30 between faces, 10 between surfaces that the mesh approximates");
+  group.add(
+      "--tangent", "HOW", request.tangent, parse_tangent,
+      "lines of fillets. borders; middles: their middle lines; auto: middles of narrow fillets, borders of others; none",
+      "auto");
+  group.add("--min-length", "LEN", request.least_mm, parse_min_length, "omit visible line parts shorter than LEN",
+            "1.5 pens; 0 for exact lines");
   const auto take_hidden = [&request](const std::string& text) {
     const HiddenChoice choice = parse_hidden_choice(text);
     request.hidden = choice.lines;
     request.most_hiding = choice.most_hiding;
   };
-  group
-      .add_text(
-          "--hidden", "HOW", take_hidden,
-          "draw hidden lines in their own layer: none, dashed or solid; dashed:N, solid:N: only lines behind at most N "
-          "faces (--method appel)")
-      .standard("none");
-  group
-      .add("--quality", "HOW", request.quality, parse_quality,
-           "clear: lines of the shape that the mesh approximates; exact: every edge as stored")
-      .standard("clear");
+  group.add_text(
+      "--hidden", "HOW", take_hidden,
+      "draw hidden lines in their own layer: none, dashed or solid; dashed:N, solid:N: only lines behind at most N "
+      "faces (--method appel)",
+      "none");
+  group.add("--quality", "HOW", request.quality, parse_quality,
+            "clear: lines of the shape that the mesh approximates; exact: every edge as stored", "clear");
   group.add_flag("--cull", request.cull, "omit back faces of closed, consistently wound objects");
   add_parameters(app, choice);
 }
@@ -240,7 +235,7 @@ void add_compile_options(CLI::App& app, const Method*& method, MethodChoice& cho
   const std::vector<std::string_view> names = compiling_methods();
   method = find_method(names.front());
   const auto parse = [names](const std::string& text) { return find_method(names[parse_choice(text, names)]); };
-  OptionGroup(app, "Methods").add("--method", "NAME", method, parse, list_of(names)).standard(std::string(names.front()));
+  OptionGroup(app, "Methods").add("--method", "NAME", method, parse, list_of(names), std::string(names.front()));
   add_parameters(app, choice, true);
 }
 

@@ -20,11 +20,6 @@ void check_as(const std::string& option, Work work) {
 
 }  // namespace
 
-Option Option::standard(const std::string& text) const {
-  option_->default_str(text);
-  return *this;
-}
-
 Option Option::excludes(std::initializer_list<Option> others) const {
   for (const Option& other : others) option_->excludes(other.option_);
   return *this;
@@ -36,12 +31,12 @@ Option Option::needs(Option other) const {
 }
 
 Option OptionGroup::add_text(const std::string& names, const std::string& kind, std::function<void(const std::string&)> take,
-                             const std::string& help) {
+                             const std::string& help, const std::string& standard) {
   const auto checked = [take = std::move(take), name = shown_name(names)](const std::string& text) {
     check_as(name, [&] { take(text); });
   };
   CLI::Option* option = command_.add_option_function<std::string>(names, checked, help);
-  option->type_name(kind)->group(name_);
+  option->type_name(kind)->group(name_)->default_str(standard);
   return Option(option);
 }
 
@@ -54,14 +49,15 @@ Option OptionGroup::add_flag_with_text(const std::string& names, std::string& ta
 }
 
 Option OptionGroup::add_repeatable(const std::string& names, const std::string& kind,
-                                   std::function<void(const std::string&)> take, const std::string& help) {
-  return add_repeatable_tuple(
-      names, kind, 1, [take = std::move(take)](const std::vector<std::string>& texts) { take(texts[0]); }, help);
+                                   std::function<void(const std::string&)> take, const std::string& help,
+                                   const std::string& standard) {
+  const auto take_first = [take = std::move(take)](const std::vector<std::string>& texts) { take(texts[0]); };
+  return add_repeatable_tuple(names, kind, 1, take_first, help, standard);
 }
 
 Option OptionGroup::add_repeatable_tuple(const std::string& names, const std::string& kind, int count,
-                                         std::function<void(const std::vector<std::string>&)> take,
-                                         const std::string& help) {
+                                         std::function<void(const std::vector<std::string>&)> take, const std::string& help,
+                                         const std::string& standard) {
   const auto each = [take = std::move(take), count, name = shown_name(names)](const std::vector<std::string>& texts) {
     for (auto from = texts.begin(); texts.end() - from >= count; from += count) {
       check_as(name, [&] { take({from, from + count}); });
@@ -69,7 +65,7 @@ Option OptionGroup::add_repeatable_tuple(const std::string& names, const std::st
   };
   CLI::Option* option = command_.add_option_function<std::vector<std::string>>(names, each, help);
   option->type_size(count)->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  option->type_name(kind)->group(name_);
+  option->type_name(kind)->group(name_)->default_str(standard);
   return Option(option);
 }
 

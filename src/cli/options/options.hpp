@@ -32,8 +32,6 @@ class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
 
-  /// Sets the default shown in the help text.
-  Option standard(const std::string& text) const;
   /// Forbids the option together with any of the others.
   Option excludes(std::initializer_list<Option> others) const;
   /// Requires the other option.
@@ -43,7 +41,8 @@ class Option {
   CLI::Option* option_;
 };
 
-/// A group of options of one command. The targets of options must outlive the parse.
+/// A group of options of one command. The targets of options must outlive the parse. `standard` is the default shown in the
+/// help text; empty: none.
 class OptionGroup {
  public:
   OptionGroup(CLI::App& command, std::string name) : command_(command), name_(std::move(name)) {}
@@ -51,28 +50,30 @@ class OptionGroup {
   /// An option "NAMES KIND" that stores the result of `parser` in `target`. A std::invalid_argument of the parser becomes a
   /// UsageError that begins with the option's name.
   template <class Target, class Parser>
-  Option add(const std::string& names, const std::string& kind, Target& target, Parser parser, const std::string& help) {
-    return add_text(
-        names, kind, [&target, parser = std::move(parser)](const std::string& text) { target = parser(text); }, help);
+  Option add(const std::string& names, const std::string& kind, Target& target, Parser parser, const std::string& help,
+             const std::string& standard = {}) {
+    const auto take = [&target, parser = std::move(parser)](const std::string& text) { target = parser(text); };
+    return add_text(names, kind, take, help, standard);
   }
   /// An option that passes its text to `take`.
   Option add_text(const std::string& names, const std::string& kind, std::function<void(const std::string&)> take,
-                  const std::string& help);
+                  const std::string& help, const std::string& standard = {});
   /// An option without a value.
   Option add_flag(const std::string& names, bool& target, const std::string& help);
   /// A repeatable option with one value each time.
   Option add_repeatable(const std::string& names, const std::string& kind, std::function<void(const std::string&)> take,
-                        const std::string& help);
+                        const std::string& help, const std::string& standard = {});
   /// A repeatable option that appends the result of `parser` to `targets`.
   template <class Item, class Parser>
   Option add_each(const std::string& names, const std::string& kind, std::vector<Item>& targets, Parser parser,
-                  const std::string& help) {
+                  const std::string& help, const std::string& standard = {}) {
     const auto take = [&targets, parser = std::move(parser)](const std::string& text) { targets.push_back(parser(text)); };
-    return add_repeatable(names, kind, take, help);
+    return add_repeatable(names, kind, take, help, standard);
   }
   /// A repeatable option with `count` values each time.
   Option add_repeatable_tuple(const std::string& names, const std::string& kind, int count,
-                              std::function<void(const std::vector<std::string>&)> take, const std::string& help);
+                              std::function<void(const std::vector<std::string>&)> take, const std::string& help,
+                              const std::string& standard = {});
   /// An option with an optional value; `take` receives an empty text if there is none.
   Option add_flag_or_value(const std::string& names, const std::string& kind, std::function<void(const std::string&)> take,
                            const std::string& help);

@@ -33,25 +33,24 @@ void add_model_options(CLI::App& app, ModelRequest& request) {
                 "glTF, OBJ, STL, PLY, OFF, 3MF, 3D Studio or ligne-scene file; several make one scene; - is "
                 "standard input");
   OptionGroup group(app, "Lines");
-  group
-      .add("--weld", "DIST", request.weld_distance, parse_weld,
-           "sew borders of one object that lie within DIST of each other, in model units (auto: detect the width of cracks; "
-           "off). With --quality exact: merge vertices within DIST; auto is off")
-      .standard("auto");
+  group.add(
+      "--weld", "DIST", request.weld_distance, parse_weld,
+      "sew borders of one object that lie within DIST of each other, in model units (auto: detect the width of cracks; "
+      "off). With --quality exact: merge vertices within DIST; auto is off",
+      "auto");
   group.add("--pose", "ANIMATION@SECONDS", request.pose, parse_pose,
             "glTF: the model posed at a time of an animation, which is given by name or by number from 0");
-  group
-      .add("--subdivide", "SCHEME[:N]", request.subdivision, parse_subdivision,
-           "draw the limit surface of control meshes, approximated by N levels of subdivision: loop, catmull-clark (default "
-           "N: until edges are shorter than 1/100 of the model)")
-      .standard("off");
+  group.add(
+      "--subdivide", "SCHEME[:N]", request.subdivision, parse_subdivision,
+      "draw the limit surface of control meshes, approximated by N levels of subdivision: loop, catmull-clark (default "
+      "N: until edges are shorter than 1/100 of the model)",
+      "off");
   group.add_flag("--merge-coplanar", request.merge_coplanar, "merge coplanar neighbouring faces into polygons");
-  group
-      .add(
-          "--assume", "FACT,...", request.assumed, parse_facts,
-          "facts about the scene that save tests. no-penetration: no faces pass through each other; convex: every object is "
-          "one closed convex body; adjacency: each side of a face is a side of exactly one other face, the other way round")
-      .standard("those of the file");
+  group.add(
+      "--assume", "FACT,...", request.assumed, parse_facts,
+      "facts about the scene that save tests. no-penetration: no faces pass through each other; convex: every object is "
+      "one closed convex body; adjacency: each side of a face is a side of exactly one other face, the other way round",
+      "those of the file");
   OptionGroup parts(app, "Parts");
   const auto add_names = [](std::vector<std::string>& target) {
     return [&target](const std::string& text) {
@@ -67,10 +66,8 @@ void add_model_options(CLI::App& app, ModelRequest& request) {
 
 void add_part_drawing_options(CLI::App& app, OutputRequest& request) {
   OptionGroup parts(app, "Parts");
-  parts
-      .add("--group", "HOW", request.group_objects, parse_word<bool>(kGroupNames),
-           "none, or object. SVG: divide each layer into groups by object; JSON: store the object of each stroke")
-      .standard("none");
+  parts.add("--group", "HOW", request.group_objects, parse_word<bool>(kGroupNames),
+            "none, or object. SVG: divide each layer into groups by object; JSON: store the object of each stroke", "none");
   parts.add_each("--color", "NAME=COLOUR", request.colors, parse_object_color,
                  "colour of the lines of an object: #rrggbb, or a name such as red; repeatable");
 }
@@ -96,18 +93,15 @@ void add_view_options(CLI::App& app, ViewRequest& request, const std::string& st
   const auto take_view = [&request](const std::string& text) { parse_view(text, request); };
   const auto parse_fov = [](const std::string& text) { return parse_between(text, 0, 180, "degrees"); };
 
-  const Option view =
-      group
-          .add_text("--view", "NAME", take_view,
-                    "front back left right top bottom iso dimetric trimetric, or camera[:NAME] for a camera of the file")
-          .standard(standard);
+  const Option view = group.add_text(
+      "--view", "NAME", take_view,
+      "front back left right top bottom iso dimetric trimetric, or camera[:NAME] for a camera of the file", standard);
   const Option direction = group.add("--direction", "X,Y,Z", request.direction, parse_vector,
                                      "view direction, into the scene (parallel projection)");
   const Option eye = group.add("--eye", "X,Y,Z", request.eye, parse_point, "position of the eye (perspective projection)");
   const Option target = group.add("--target", "X,Y,Z", request.target, parse_point,
                                   "point at which the eye looks (default: centre of the model)");
-  const Option fov =
-      group.add("--fov", "DEG", request.fov_degrees, parse_fov, "vertical angle of view from the eye").standard("35");
+  const Option fov = group.add("--fov", "DEG", request.fov_degrees, parse_fov, "vertical angle of view from the eye", "35");
   group.add("--up", "X,Y,Z", request.up, parse_vector, "direction that points up on the page (default: the up axis)");
   group.add("--up-axis", "x|y|z", request.up_axis, parse_axis,
             "vertical axis of the model (default: y for glTF and OBJ, else z)");
@@ -126,63 +120,57 @@ void add_width_option(CLI::App& app, LineWidths& widths, bool own_layers) {
             for (const auto& [layer, width] : parse_widths(text)) widths[layer] = width;
             if (own_layers) require_layers(widths);
           },
-          "widths of lines by class, such as profile=0.7,crease=0.25; repeatable")
-      .standard("in pen widths: profile 1.4, outline and border 1, crease, intersection and shape lines 0.7, others 0.5");
+          "widths of lines by class, such as profile=0.7,crease=0.25; repeatable",
+          "in pen widths: profile 1.4, outline and border 1, crease, intersection and shape lines 0.7, others 0.5");
 }
 
 void add_page_options(CLI::App& app, PageRequest& request) {
   OptionGroup group(app, "Page");
-  group
-      .add("--page", "SIZE", request.size, parse_page_size,
-           "A0 to A6, letter, legal, tabloid, or WxH with units, such as 20cmx15cm")
-      .standard("A4");
+  group.add("--page", "SIZE", request.size, parse_page_size,
+            "A0 to A6, letter, legal, tabloid, or WxH with units, such as 20cmx15cm", "A4");
   const Option landscape =
       group.add_flag("--landscape", request.landscape, "landscape page (default: the orientation that fits better)");
   const Option portrait = group.add_flag("--portrait", request.portrait, "portrait page");
-  group
-      .add("--margin", "LEN", request.margin_mm, parse_length_mm, "page margin in mm, cm, in or pt (mm if no unit is given)")
-      .standard("10mm");
-  group.add("--pen-width", "LEN", request.pen_width_mm, parse_pen_width, "width of outlines").standard("0.35mm");
+  group.add("--margin", "LEN", request.margin_mm, parse_length_mm,
+            "page margin in mm, cm, in or pt (mm if no unit is given)", "10mm");
+  group.add("--pen-width", "LEN", request.pen_width_mm, parse_pen_width, "width of outlines", "0.35mm");
   add_width_option(app, request.widths_mm, true);
-  group.add("--scale", "fit|N:M", request.scale, parse_scale, "fit the picture to the page, or a scale such as 1:2")
-      .standard("fit");
-  group.add("--unit", "UNIT", request.unit_mm, parse_unit_mm, "length of one model unit: mm, cm, m, in, or a number of mm")
-      .standard("m for glTF, else mm");
+  group.add("--scale", "fit|N:M", request.scale, parse_scale, "fit the picture to the page, or a scale such as 1:2", "fit");
+  group.add("--unit", "UNIT", request.unit_mm, parse_unit_mm, "length of one model unit: mm, cm, m, in, or a number of mm",
+            "m for glTF, else mm");
   landscape.excludes({portrait});
 }
 
 void add_fill_options(CLI::App& app, FillRequest& request) {
   OptionGroup group(app, "Fills");
-  group
-      .add("--fill", "HOW", request.kind, parse_fill,
-           "fill visible faces: none material shade paper random; needs a method that gives regions, an order, spans or "
-           "pixels")
-      .standard("none");
+  group.add("--fill", "HOW", request.kind, parse_fill,
+            "fill visible faces: none material shade paper random; needs a method that gives regions, an order, spans or "
+            "pixels",
+            "none");
   group.add_each("--light", "X,Y,Z", request.lights, parse_vector,
                  "direction of a parallel light that casts shadows; repeatable");
 }
 
 void add_hatch_options(CLI::App& app, HatchRequest& request) {
   OptionGroup group(app, "Faces");
-  const Option hatch = group
-                           .add("--hatch", "HOW", request.kind, parse_hatch,
-                                "hatch visible faces: none shade material plain; needs a method that gives regions or spans")
-                           .standard("none");
+  const Option hatch =
+      group.add("--hatch", "HOW", request.kind, parse_hatch,
+                "hatch visible faces: none shade material plain; needs a method that gives regions or spans", "none");
   group
-      .add("--hatch-spacing", "LEN", request.spacing_mm, parse_hatch_spacing, "distance between strokes in the darkest tone")
-      .standard("4 widths of the hatching pen")
+      .add("--hatch-spacing", "LEN", request.spacing_mm, parse_hatch_spacing, "distance between strokes in the darkest tone",
+           "4 widths of the hatching pen")
       .needs(hatch);
   group
       .add(
           "--hatch-angle", "DEG|HOW", request.direction, parse_hatch_direction,
           "direction of the strokes, counter-clockwise; face: one direction per face; curvature: along the curvature of the "
-          "form; iso: along the curves of a surface")
-      .standard("45")
+          "form; iso: along the curves of a surface",
+          "45")
       .needs(hatch);
   group
       .add("--hatch-levels", "N", request.levels, parse_hatch_levels,
-           "number of tones, 1 to 4, each with twice the stroke distance of the darker one; or continuous")
-      .standard("4; continuous with --hatch-angle curvature or iso")
+           "number of tones, 1 to 4, each with twice the stroke distance of the darker one; or continuous",
+           "4; continuous with --hatch-angle curvature or iso")
       .needs(hatch);
   group.add_flag("--hatch-cross", request.cross, "a second family of strokes across the first").needs(hatch);
 }
@@ -195,17 +183,12 @@ void add_axes_options(CLI::App& app, AxesChoice& choice, std::string& style) {
       "edges, --axes=base: only edges of the ground");
   for (int k = 0; k < 3; ++k) {
     const std::string axis = kAxisNames[k];
-    group
-        .add("--" + axis + "-label", "TEXT", choice.names[k], std::identity(),
-             "name of the " + axis + " axis; empty for none")
-        .standard(axis);
+    group.add("--" + axis + "-label", "TEXT", choice.names[k], std::identity(),
+              "name of the " + axis + " axis; empty for none", axis);
   }
-  group
-      .add("--text", "font|stroke", choice.text, parse_word<TextStyle>(kTextStyleNames),
-           "text in an outline font, or in a single-stroke font for pens")
-      .standard("font");
-  group.add("--text-height", "LEN", choice.text_height_mm, parse_text_height, "height of capital letters")
-      .standard("2.5mm on A4");
+  group.add("--text", "font|stroke", choice.text, parse_word<TextStyle>(kTextStyleNames),
+            "text in an outline font, or in a single-stroke font for pens", "font");
+  group.add("--text-height", "LEN", choice.text_height_mm, parse_text_height, "height of capital letters", "2.5mm on A4");
 }
 
 void check_axes(AxesChoice& choice, const std::string& style) {
@@ -230,11 +213,9 @@ void add_parametric(OptionGroup& group, SurfaceRequest& request, const std::stri
 }
 
 void add_parameter_ranges(OptionGroup& group, SurfaceRequest& request) {
-  group
-      .add_each("-u", "A:B[:N]", request.u, parse_range,
-                "range of u of a parametric surface and number of curves (repeatable: for the next surface)")
-      .standard("0:2*pi:40");
-  group.add_each("-v", "A:B[:N]", request.v, parse_range, "range of v, likewise").standard("0:2*pi:40");
+  group.add_each("-u", "A:B[:N]", request.u, parse_range,
+                 "range of u of a parametric surface and number of curves (repeatable: for the next surface)", "0:2*pi:40");
+  group.add_each("-v", "A:B[:N]", request.v, parse_range, "range of v, likewise", "0:2*pi:40");
 }
 
 }  // namespace ligne

@@ -64,16 +64,12 @@ void RunFiles::were_read(const InputFiles& files) {
 void add_run_options(CLI::App& app, RunOptions& options) {
   OptionGroup group(app, "Work");
   group.add("--threads", "N", options.threads, count_between(1, kMostThreads), "number of threads (default: all cores)");
-  group
-      .add("--max-memory", "SIZE", options.max_memory, parse_memory,
-           "stop with an error above this memory, such as 500M or 2G; none: no limit")
-      .standard("three quarters of the machine's");
+  group.add("--max-memory", "SIZE", options.max_memory, parse_memory,
+            "stop with an error above this memory, such as 500M or 2G; none: no limit", "three quarters of the machine's");
   group.add_flag("--stats", options.stats, "print counts and times of the method to standard error");
   group.add("--stats-json", "FILE", options.stats_json, parse_file_name, "write the counts and times to FILE as JSON");
-  group
-      .add("--progress", "WHEN", options.progress, parse_word<ShowProgress>(kShowProgressNames),
-           "show progress: auto always never; auto: on a terminal, if the work takes long")
-      .standard("auto");
+  group.add("--progress", "WHEN", options.progress, parse_word<ShowProgress>(kShowProgressNames),
+            "show progress: auto always never; auto: on a terminal, if the work takes long", "auto");
   group.add_flag("-q,--quiet", options.quiet, "print no warnings and no progress");
 }
 
@@ -112,14 +108,13 @@ void add_output_options(CLI::App& app, OutputOptions& options, const std::string
 }
 
 void add_dpi_option(CLI::App& app, double& dpi) {
-  OptionGroup(app, "Output").add("--dpi", "N", dpi, parse_dpi, "resolution of a PNG").standard("150");
+  OptionGroup(app, "Output").add("--dpi", "N", dpi, parse_dpi, "resolution of a PNG", "150");
 }
 
 void add_curves_option(CLI::App& app, std::optional<bool>& curves, const std::string& standard) {
   OptionGroup(app, "Output")
       .add("--curves", "HOW", curves, parse_word<bool>(kSwitchNames),
-           "SVG, PDF, PNG: replace tessellated circles and ellipses by curves: on off")
-      .standard(standard);
+           "SVG, PDF, PNG: replace tessellated circles and ellipses by curves: on off", standard);
 }
 
 void add_title_option(CLI::App& app, std::string& title, const std::string& help) {
@@ -154,9 +149,8 @@ void add_plotter_options(CLI::App& app, PlotterOptions& options) {
   PlotterChoice& choice = options.choice;
   PlotterRequest& request = choice.request;
   OptionGroup group(app, "Plotter");
-  const Option device =
-      group.add("--device", "NAME", choice.device, parse_file_name, "the plotter; ligne devices lists the names")
-          .standard("cutter for HPGL, grbl-servo for G-code");
+  const Option device = group.add("--device", "NAME", choice.device, parse_file_name,
+                                  "the plotter; ligne devices lists the names", "cutter for HPGL, grbl-servo for G-code");
   const Option device_file =
       group.add("--device-file", "FILE", choice.device_file, parse_file_name, "TOML file that describes a plotter");
   group.add_flag("--fit-device", request.fit_device, "shift and scale down the drawing to fit the device's limits");
@@ -164,16 +158,12 @@ void add_plotter_options(CLI::App& app, PlotterOptions& options) {
   group.add_repeatable(
       "--pen", "TEXT", [&request](const std::string& text) { add_pen(request.pens, text); },
       "CLASS=N[,COLOUR[,WIDTH]]: draw a line class, material:NAME, object:NAME, shade:N or the rest with pen N; repeatable");
-  group
-      .add("--optimize", "HOW", request.optimize, parse_word<Optimize>(kOptimizeNames),
-           "off; order: sort strokes to shorten travel; join: draw overlapping lines once and join ends; full: both")
-      .standard("full for pens");
-  group.add("--join", "LEN", request.tolerances.ends_mm, parse_length_mm, "join ends within LEN of each other")
-      .standard("0.05mm");
-  group
-      .add("--simplify", "LEN", request.tolerances.simplify_mm, parse_length_mm,
-           "largest distance by which simplifying may move a line")
-      .standard("0.01mm");
+  group.add("--optimize", "HOW", request.optimize, parse_word<Optimize>(kOptimizeNames),
+            "off; order: sort strokes to shorten travel; join: draw overlapping lines once and join ends; full: both",
+            "full for pens");
+  group.add("--join", "LEN", request.tolerances.ends_mm, parse_length_mm, "join ends within LEN of each other", "0.05mm");
+  group.add("--simplify", "LEN", request.tolerances.simplify_mm, parse_length_mm,
+            "largest distance by which simplifying may move a line", "0.01mm");
   group.add_flag("--report", request.report,
                  "print strokes, lengths, lifts and time before and after optimization to standard error");
   const auto parse_preview = [&request](const std::string& text) {
