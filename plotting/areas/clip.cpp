@@ -21,6 +21,18 @@ void for_each_area(const Clip& clip, const Visit& visit) {
   }
 }
 
+/// Appends the parts of the lines of which `is_seen` holds. They are divided by their cover.
+template <class IsSeen>
+void append_parts(const Polylines& lines, const Area* area, const Clip* clip, const IsSeen& is_seen, Polylines& out) {
+  Coverage coverage;
+  LineCutter cutter;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    cutter.cut(lines[i], out, [&](const StepSegment& stroke, std::vector<SeenPart>& parts) {
+      for (const CoveredPart& part : coverage.find(stroke, area, clip)) parts.push_back({part.end.value, is_seen(part)});
+    });
+  }
+}
+
 /// Limit of drawn_once(): mean number of edges and boxes tested per segment. Above it all segments lie in one place,
 /// and repeated lines are kept. Adjustable.
 constexpr std::size_t kMaxTestsPerSegment = 1000;
@@ -90,28 +102,16 @@ Polylines clipped(const Polylines& lines, const Clip& clip, const Area* filled) 
 
 Polylines area_borders(const Polylines& contours, const Area& area) {
   Polylines out;
-  Coverage coverage;
-  LineCutter cutter;
-  const auto find_parts = [&](const StepSegment& stroke, std::vector<SeenPart>& parts) {
-    for (const CoveredPart& part : coverage.find(stroke, &area, nullptr))
-      parts.push_back({part.end.value, !part.plus || !part.minus});
-  };
-  for (std::size_t i = 0; i < contours.size(); ++i) cutter.cut(contours[i], out, find_parts);
+  append_parts(
+      contours, &area, nullptr, [](const CoveredPart& part) { return !part.plus || !part.minus; }, out);
   return out;
 }
 
 Polylines clip_borders(const Area& area, const Clip& clip) {
   Polylines out;
-  Coverage coverage;
-  LineCutter cutter;
-  const auto find_parts = [&](const StepSegment& stroke, std::vector<SeenPart>& parts) {
-    for (const CoveredPart& part : coverage.find(stroke, &area, &clip))
-      parts.push_back({part.end.value, part.plus != part.minus && !part.on_rim});
-  };
-  for_each_area(clip, [&](const Area& cutting) {
-    const Polylines lines = cutting.contours_near(area.box());
-    for (std::size_t i = 0; i < lines.size(); ++i) cutter.cut(lines[i], out, find_parts);
-  });
+  const auto is_border = [](const CoveredPart& part) { return part.plus != part.minus && !part.on_rim; };
+  for_each_area(clip,
+                [&](const Area& cutting) { append_parts(cutting.contours_near(area.box()), &area, &clip, is_border, out); });
   return out;
 }
 

@@ -24,7 +24,7 @@ TEST(ExactEnvelope, BandsTogetherFindWhatTheWholeFinds) {
   const Columns columns(0, 10, 50);
   const Bands bands(columns);
   ASSERT_GT(bands.size(), 1u);
-  ExactEnvelope whole(0, 10, 50);
+  ExactEnvelope whole(Columns(0, 10, 50), {0, 50});
   std::vector<ExactEnvelope> parts;
   for (std::size_t b = 0; b < bands.size(); ++b) parts.emplace_back(columns, bands.of_band(b));
   for (int k = 0; k < 2000; ++k) {
@@ -54,7 +54,7 @@ TEST(ExactEnvelope, BandsTogetherFindWhatTheWholeFinds) {
 }
 
 TEST(ExactEnvelope, WhatBeginsOnTheHorizonIsNeitherAboveNorBelow) {
-  ExactEnvelope envelope(0, 10, 4);
+  ExactEnvelope envelope(Columns(0, 10, 4), {0, 4});
   raised(envelope, {0, 1, 10, 7});
   expect_spans(raised(envelope, {0, 1, 5, 9}), {{0, 5}});
   expect_spans(raised(envelope, {5, 4, 10, 0}), {});
@@ -62,7 +62,7 @@ TEST(ExactEnvelope, WhatBeginsOnTheHorizonIsNeitherAboveNorBelow) {
 
 TEST(ExactEnvelope, EndsOfLinesAreTheirVeryEnds) {
   // Ends on borders of cells, where rounding may put them on either side.
-  ExactEnvelope envelope(-0.3, 0.4, 7);
+  ExactEnvelope envelope(Columns(-0.3, 0.4, 7), {0, 7});
   for (int i = 0; i < 7; ++i) {
     const Line line{-0.3 + 0.1 * i, 1.0 * i, -0.3 + 0.1 * (i + 1), 3};
     const std::vector<Span> above = raised(envelope, line);

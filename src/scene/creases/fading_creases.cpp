@@ -191,18 +191,8 @@ class Fader {
 
   std::size_t run() {
     std::size_t dropped = drop_flat_ends() + drop_inside_sections();
-    std::vector<std::uint32_t> tips = free_.list();
-    while (!tips.empty()) {
-      std::vector<std::uint32_t> faded, left;
-      for (const std::uint32_t tip : tips) {
-        if (free_.is_free(tip)) fade(tip, faded, left);
-      }
-      for (const std::uint32_t e : faded) {
-        dropped += free_.is_crease(e);
-        bends_[e] = Bend::weak;
-      }
-      tips = std::move(left);
-    }
+    dropped +=
+        drop_from_free_ends(free_, bends_, [&](std::uint32_t tip, auto& faded, auto& left) { fade(tip, faded, left); });
     return dropped + drop_blunt();
   }
 

@@ -195,23 +195,12 @@ std::size_t drop_loose_creases(const Scene& scene, const Topology& topology, con
     const bool is_firm = std::ranges::any_of(run.edges, [&](std::uint32_t e) { return bends[e] == Bend::firm; });
     return !is_firm && run.end != tip && free.is_free(run.end);
   };
-  std::size_t dropped = 0;
-  for (std::vector<std::uint32_t> tips = free.list(); !tips.empty();) {
-    std::vector<std::uint32_t> gone, left;
-    for (const std::uint32_t tip : tips) {
-      if (!free.is_free(tip)) continue;
-      const FreeEnds::Run run = free.run_from(tip, edges.may_go);
-      if (!is_loose(tip, run)) continue;
-      gone.insert(gone.end(), run.edges.begin(), run.edges.end());
-      left.push_back(run.end);
-    }
-    for (const std::uint32_t e : gone) {
-      dropped += free.is_crease(e);
-      bends[e] = Bend::weak;
-    }
-    tips = std::move(left);
-  }
-  return dropped;
+  return drop_from_free_ends(free, bends, [&](std::uint32_t tip, auto& gone, auto& left) {
+    const FreeEnds::Run run = free.run_from(tip, edges.may_go);
+    if (!is_loose(tip, run)) return;
+    gone.insert(gone.end(), run.edges.begin(), run.edges.end());
+    left.push_back(run.end);
+  });
 }
 
 std::size_t drop_blunt_creases(const Scene& scene, const Topology& topology, const BluntEdges& edges,

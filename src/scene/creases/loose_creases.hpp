@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "scene/creases/bend.hpp"
@@ -57,6 +58,25 @@ class FreeEnds {
   const std::vector<Bend>& bends_;
   const std::function<bool(std::uint32_t)>& is_anchor_;
 };
+
+/// Makes the edges of runs from free ends weak, and goes on from the ends that this leaves: judge(tip, gone, left) appends
+/// the edges that go and the vertices where they stop. Returns the number of creases that go.
+template <class Judge>
+std::size_t drop_from_free_ends(const FreeEnds& free, std::vector<Bend>& bends, const Judge& judge) {
+  std::size_t dropped = 0;
+  for (std::vector<std::uint32_t> tips = free.list(); !tips.empty();) {
+    std::vector<std::uint32_t> gone, left;
+    for (const std::uint32_t tip : tips) {
+      if (free.is_free(tip)) judge(tip, gone, left);
+    }
+    for (const std::uint32_t e : gone) {
+      dropped += free.is_crease(e);
+      bends[e] = Bend::weak;
+    }
+    tips = std::move(left);
+  }
+  return dropped;
+}
 
 /// The creases that may be loose.
 struct LooseEdges {

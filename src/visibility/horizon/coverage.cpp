@@ -18,9 +18,6 @@ double levelled(double d, double tolerance) { return std::abs(d) <= tolerance ? 
 
 }  // namespace
 
-Coverage::Coverage(double u_min, double u_max, std::size_t cells)
-    : Coverage(Columns(u_min, u_max, cells), {0, std::max<std::size_t>(cells, 1)}) {}
-
 Coverage::Coverage(const Columns& columns, ColumnRange own)
     : columns_(columns),
       own_(own),
@@ -133,13 +130,7 @@ void Coverage::append_uncovered(double from, double to, double least, std::vecto
   hidden.push_back({to, to});
   double at = from;
   for (const Span& h : hidden) {
-    if (h.from - at > least) {
-      if (!uncovered.empty() && at - uncovered.back().to <= least) {
-        uncovered.back().to = h.from;
-      } else {
-        uncovered.push_back({at, h.from});
-      }
-    }
+    if (h.from - at > least) append_span(uncovered, {at, h.from}, least);
     at = std::max(at, h.to);
   }
 }
@@ -169,11 +160,7 @@ void Coverage::find_uncovered(const Line& line, std::vector<Span>& uncovered) {
     }
     append_uncovered(from, to, least_, hidden_, found);
   }
-  if (found.empty()) return;
-  // A visible part that misses the line's end only by rounding is extended to it, so that it continues in the next
-  // line.
-  if (found.front().from - line.u0 <= least_) found.front().from = line.u0;
-  if (line.u1 - found.back().to <= least_) found.back().to = line.u1;
+  extend_to_ends(found, line, least_);
   uncovered.insert(uncovered.begin() + static_cast<std::ptrdiff_t>(first_span), found.begin(), found.end());
 }
 

@@ -14,8 +14,6 @@ namespace ligne::horizon {
 /// overlap. A band keeps its original lines, as in ExactEnvelope. Cells of equal width hold the bands.
 class Coverage {
  public:
-  /// For triangles in [u_min, u_max].
-  Coverage(double u_min, double u_max, std::size_t cells);
   /// For a band of columns: results lie in its own columns.
   Coverage(const Columns& columns, ColumnRange own);
 

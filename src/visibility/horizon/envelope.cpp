@@ -4,8 +4,6 @@
 #include <cmath>
 
 namespace ligne::horizon {
-ExactEnvelope::ExactEnvelope(double u_min, double u_max, std::size_t cells)
-    : ExactEnvelope(Columns(u_min, u_max, cells), {0, std::max<std::size_t>(cells, 1)}) {}
 
 ExactEnvelope::ExactEnvelope(const Columns& columns, ColumnRange own)
     : columns_(columns),
@@ -85,11 +83,7 @@ void ExactEnvelope::search(const Line& line, std::vector<Span>& above) {
       }
     }
   }
-  // A visible part that misses the line's end only by rounding is extended to it, so that it continues in the next
-  // line.
-  if (above.size() == first_span) return;
-  if (above[first_span].from - line.u0 <= least_) above[first_span].from = line.u0;
-  if (line.u1 - above.back().to <= least_) above.back().to = line.u1;
+  extend_to_ends(std::span(above).subspan(first_span), line, least_);
 }
 
 void ExactEnvelope::find_above(const Line& line, std::vector<Span>& above) { search<false>(line, above); }
@@ -115,9 +109,6 @@ double ExactEnvelope::height_beside(double u, int side) const {
   }
   return kNothing;
 }
-
-PixelEnvelope::PixelEnvelope(double u_min, double u_max, std::size_t columns)
-    : PixelEnvelope(Columns(u_min, u_max, columns), {0, std::max<std::size_t>(columns, 1)}) {}
 
 PixelEnvelope::PixelEnvelope(const Columns& columns, ColumnRange own)
     : columns_(columns), own_(own), heights_(own.end - own.begin, kNothing) {}

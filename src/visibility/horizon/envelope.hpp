@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "visibility/horizon/columns.hpp"
@@ -36,6 +37,13 @@ inline void append_span(std::vector<Span>& spans, Span span, double least) {
   }
 }
 
+/// Extends spans of a line that miss an end of it only by rounding, so that they continue in the next line.
+inline void extend_to_ends(std::span<Span> spans, const Line& line, double least) {
+  if (spans.empty()) return;
+  if (spans.front().from - line.u0 <= least) spans.front().from = line.u0;
+  if (line.u1 - spans.back().to <= least) spans.back().to = line.u1;
+}
+
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
 /// The upper horizon as a piecewise linear function. Its pieces keep their original lines, and crossings are computed
@@ -44,9 +52,7 @@ constexpr double kNothing = -std::numeric_limits<double>::infinity();
 /// pieces that it spans.
 class ExactEnvelope {
  public:
-  /// For lines in [u_min, u_max]. The best number of cells is about the number of curves.
-  ExactEnvelope(double u_min, double u_max, std::size_t cells);
-  /// For a band of columns: results lie in its own columns.
+  /// For a band of columns: results lie in its own columns. The best number of columns is about the number of curves.
   ExactEnvelope(const Columns& columns, ColumnRange own);
 
   /// Appends to `above` the parts of the line that are higher than the horizon, or where there is none yet: ascending,
@@ -92,7 +98,6 @@ class ExactEnvelope {
 /// The upper horizon as an array of heights, one for each of the picture's columns of pixels.
 class PixelEnvelope {
  public:
-  PixelEnvelope(double u_min, double u_max, std::size_t columns);
   PixelEnvelope(const Columns& columns, ColumnRange own);
   void find_above(const Line& line, std::vector<Span>& above);
   void raise(const Line& line, std::vector<Span>& above);

@@ -214,7 +214,7 @@ void PenetrationSearch::add_side(const PlacedFacet& plane, const PlacedFacet& ot
   }
   if (!clip_parameters(e0, e1)) return;
   const std::uint32_t p = other.v[from], q = other.v[to];
-  sides_.push_back({plane.id, std::min(p, q), std::max(p, q), other.id, heights.h[off] > 0});
+  sides_.push_back({plane.id, std::min(p, q), std::max(p, q), heights.h[off] > 0, other.id});
 }
 
 /// `plane_heights`: heights of the plane's corners over the other facet's plane; `heights`: the reverse.
@@ -230,29 +230,12 @@ void PenetrationSearch::add_side_on_side(const PlacedFacet& plane, const Heights
       {plane.face, std::min(p, q), std::max(p, q), std::min(v, w), std::max(v, w), heights.h[off] > 0, plane.id, other.id});
 }
 
-/// A side on a side is a penetration if one facet at the other's side is above the plane and another below: the lower
-/// one is cut. (Folds that touch along edges do not penetrate, as the face of the plane ends there.)
-void PenetrationSearch::match_sides_on_sides() {
-  std::vector<SideOnSide>& sides = sides_on_sides_;
-  std::sort(sides.begin(), sides.end(), [](const SideOnSide& a, const SideOnSide& b) {
-    return std::tie(a.face, a.p0, a.p1, a.v0, a.v1, a.above, a.plane, a.side_of) <
-           std::tie(b.face, b.p0, b.p1, b.v0, b.v1, b.above, b.plane, b.side_of);
-  });
-  for (std::size_t i = 0; i < sides.size();) {
-    std::size_t end = i + 1;
-    while (end < sides.size() && sides[end].key() == sides[i].key()) ++end;
-    if (!sides[i].above && sides[end - 1].above) pairs_.push_back({sides[i].plane, sides[i].side_of});
-    i = end;
-  }
-}
-
-/// A side in a plane is a penetration if one facet at the side is above the plane and another below. The lower one is
-/// cut, as its side counts as above.
-void PenetrationSearch::match_sides() {
-  std::vector<SideInPlane>& sides = sides_;
-  std::sort(sides.begin(), sides.end(), [](const SideInPlane& a, const SideInPlane& b) {
-    return std::tie(a.plane, a.v0, a.v1, a.above, a.side_of) < std::tie(b.plane, b.v0, b.v1, b.above, b.side_of);
-  });
+/// A side in a plane, or on a side, is a penetration if one facet at it is above the plane and another below. The lower one
+/// is cut: a side in a plane counts as above, and folds that touch along edges do not penetrate, as the face of the plane
+/// ends there.
+template <class Side>
+void PenetrationSearch::match(std::vector<Side>& sides) {
+  std::sort(sides.begin(), sides.end());
   for (std::size_t i = 0; i < sides.size();) {
     std::size_t end = i + 1;
     while (end < sides.size() && sides[end].key() == sides[i].key()) ++end;
@@ -287,8 +270,8 @@ void PenetrationSearch::add(PenetrationSearch&& other) {
 }
 
 std::vector<Intersection> PenetrationSearch::finish(double least_steps) {
-  match_sides();
-  match_sides_on_sides();
+  match(sides_);
+  match(sides_on_sides_);
   parallel_sort(pairs_.begin(), pairs_.end());
   pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
   std::vector<Intersection> result(pairs_.size());

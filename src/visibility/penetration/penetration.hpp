@@ -148,8 +148,9 @@ class PenetrationSearch {
   };
   /// A side of facet `side_of` in the plane of facet `plane`; the third corner is above the plane or below it.
   struct SideInPlane {
-    std::uint32_t plane, v0, v1, side_of;
+    std::uint32_t plane, v0, v1;
     bool above;
+    std::uint32_t side_of;
     auto key() const { return std::tie(plane, v0, v1); }
     friend auto operator<=>(const SideInPlane&, const SideInPlane&) = default;
   };
@@ -169,8 +170,8 @@ class PenetrationSearch {
   void add_side(const PlacedFacet& plane, const PlacedFacet& other, const Heights& heights);
   void add_side_on_side(const PlacedFacet& plane, const Heights& plane_heights, const PlacedFacet& other,
                         const Heights& heights);
-  void match_sides();
-  void match_sides_on_sides();
+  template <class Side>
+  void match(std::vector<Side>& sides);
 
   const std::vector<Facet>* facets_;
   const std::vector<ProjectedVertex>* vertices_;

@@ -176,18 +176,24 @@ class PlyReader {
   }
 
   void read_faces(const PlyElement& element) {
-    const std::size_t indices = element.find({"vertex_indices", "vertex_index"});
+    const std::size_t indices = corner_list(element);
     if (read_triangle_records(element, indices)) return;
+    for_lists(element, indices, [this](const PlyProperty& list) {
+      read_corners(list);
+      builder_.add_face(face_);
+    });
+  }
+
+  static std::size_t corner_list(const PlyElement& element) { return element.find({"vertex_indices", "vertex_index"}); }
+
+  /// Calls read(list) for the list of each item, and passes over its other properties.
+  template <class Read>
+  void for_lists(const PlyElement& element, std::size_t list, const Read& read) {
     for (std::uint64_t i = 0; i < element.count; ++i) {
       data_.begin_item(element, i);
-      for (std::size_t p = 0; p < element.properties.size(); ++p) {
-        if (p == indices)
-          read_corners(element.properties[p]);
-        else
-          pass_over(element.properties[p]);
-      }
+      for (std::size_t p = 0; p < element.properties.size(); ++p)
+        p == list ? read(element.properties[p]) : pass_over(element.properties[p]);
       data_.end_item();
-      builder_.add_face(face_);
     }
   }
 
@@ -224,17 +230,7 @@ class PlyReader {
   /// Reads strips of triangles, which follow each other in a list; -1 begins the next. Every second triangle is
   /// reversed.
   void read_strips(const PlyElement& element) {
-    const std::size_t indices = element.find({"vertex_indices", "vertex_index"});
-    for (std::uint64_t i = 0; i < element.count; ++i) {
-      data_.begin_item(element, i);
-      for (std::size_t p = 0; p < element.properties.size(); ++p) {
-        if (p == indices)
-          read_strip_list(element.properties[p]);
-        else
-          pass_over(element.properties[p]);
-      }
-      data_.end_item();
-    }
+    for_lists(element, corner_list(element), [this](const PlyProperty& list) { read_strip_list(list); });
   }
 
   void read_strip_list(const PlyProperty& list) {
