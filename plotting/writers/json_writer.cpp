@@ -167,6 +167,12 @@ void append_array(std::string& out, std::string_view label, std::size_t n, const
   out += n == 0 ? "]" : "\n]";
 }
 
+/// Appends a list of items, in parallel.
+template <class Items, class Append>
+void append_items(std::string& out, std::string_view label, const Items& items, const Append& append) {
+  append_array(out, label, items.size(), [&](std::string& text, std::size_t i) { append(text, items[i]); });
+}
+
 void append_contour(std::string& out, const std::vector<Point2>& contour) {
   append_list(out, contour, [&](Point2 p) { append_point(out, p, kPageDecimals); });
 }
@@ -327,14 +333,10 @@ void append_stats(std::string& out, const Statistics& statistics) {
 std::string write_json(const DrawingDocument& document, const PlotOptions& options) {
   std::string out;
   append_head(out, document, options.page);
-  if (!document.objects.empty()) {
-    append_array(out, ",\n\"objects\":", document.objects.size(),
-                 [&](std::string& text, std::size_t i) { text += json_string(document.objects[i]); });
-  }
-  if (!document.surfaces.empty()) {
-    append_array(out, ",\n\"surfaces\":", document.surfaces.size(),
-                 [&](std::string& text, std::size_t i) { append_surface(text, document.surfaces[i]); });
-  }
+  if (!document.objects.empty())
+    append_items(out, ",\n\"objects\":", document.objects,
+                 [](std::string& text, const std::string& object) { text += json_string(object); });
+  if (!document.surfaces.empty()) append_items(out, ",\n\"surfaces\":", document.surfaces, append_surface);
   if (const StrokeModel* const model = document.strokes) {
     append_member(out, ",\n\"lattice\":{\"origin_mm\":", std::array{model->lattice.origin_mm.x, model->lattice.origin_mm.y});
     append_member(out, ",\"step_mm\":", model->lattice.step_mm);
@@ -349,10 +351,7 @@ std::string write_json(const DrawingDocument& document, const PlotOptions& optio
                     document.seen_through.empty() ? nullptr : &document.seen_through[i]);
     });
   }
-  if (!document.materials.empty()) {
-    append_array(out, ",\n\"materials\":", document.materials.size(),
-                 [&](std::string& text, std::size_t i) { append_material(text, document.materials[i]); });
-  }
+  if (!document.materials.empty()) append_items(out, ",\n\"materials\":", document.materials, append_material);
   if (document.order) {
     append_array(out, ",\n\"order\":", document.order->pieces.size(), [&](std::string& text, std::size_t i) {
       append_piece(text, document.order->pieces[i], document.piece_looks.empty() ? nullptr : &document.piece_looks[i]);
@@ -360,10 +359,7 @@ std::string write_json(const DrawingDocument& document, const PlotOptions& optio
   }
   if (document.spans) append_spans(out, *document.spans);
   if (document.plane) append_plane(out, *document.plane);
-  if (document.debug) {
-    append_array(out, ",\n\"debug\":", document.debug->size(),
-                 [&](std::string& text, std::size_t i) { append_contour(text, (*document.debug)[i]); });
-  }
+  if (document.debug) append_items(out, ",\n\"debug\":", *document.debug, append_contour);
   append_stats(out, document.statistics);
   return out;
 }

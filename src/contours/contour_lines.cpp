@@ -47,16 +47,10 @@ bool has_lines_of_its_own(const Scene& scene) {
 /// Removes the outlines with these sources, which are edges of the topology, from the candidates.
 void remove_outlines(ProjectedScene& projected, std::vector<std::uint32_t> sources) {
   std::ranges::sort(sources);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < projected.edges.size(); ++i) {
+  projected.erase_edges([&](std::size_t i) {
     const ProjectedEdge& e = projected.edges[i];
-    if (e.line_class == LineClass::outline && std::ranges::binary_search(sources, e.source)) continue;
-    projected.edges[kept] = e;
-    if (!projected.edge_parts.empty()) projected.edge_parts[kept] = projected.edge_parts[i];
-    ++kept;
-  }
-  projected.edges.resize(kept);
-  if (!projected.edge_parts.empty()) projected.edge_parts.resize(kept);
+    return e.line_class == LineClass::outline && std::ranges::binary_search(sources, e.source);
+  });
 }
 
 /// Diagonals of the bounding boxes of objects, by a face of the object.

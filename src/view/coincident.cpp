@@ -213,15 +213,7 @@ void merge_edges(ProjectedScene& scene) {
     all = false;
   }
   if (all) return;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (!keep[i]) continue;
-    scene.edges[kept] = scene.edges[i];
-    if (!scene.edge_parts.empty()) scene.edge_parts[kept] = scene.edge_parts[i];
-    ++kept;
-  }
-  scene.edges.resize(kept);
-  if (!scene.edge_parts.empty()) scene.edge_parts.resize(kept);
+  scene.erase_edges([&](std::size_t i) { return !keep[i]; });
 }
 
 /// The face that replaces a face, or kNone.

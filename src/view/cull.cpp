@@ -175,16 +175,7 @@ void cull(ProjectedScene& projected, const BackFaces& back_faces) {
   if (back_faces.faces == 0) return;
   const auto culled = [&](std::uint32_t face) { return face != kNone && back_faces.culled[face]; };
   std::erase_if(projected.triangles, [&](const Triangle& t) { return culled(t.face); });
-  std::size_t kept = 0;
-  for (std::size_t e = 0; e < projected.edges.size(); ++e) {
-    const ProjectedEdge edge = projected.edges[e];
-    if (culled(edge.face0) && culled(edge.face1)) continue;
-    projected.edges[kept] = edge;
-    if (!projected.edge_parts.empty()) projected.edge_parts[kept] = projected.edge_parts[e];
-    ++kept;
-  }
-  projected.edges.resize(kept);
-  if (!projected.edge_parts.empty()) projected.edge_parts.resize(kept);
+  projected.erase_edges([&](std::size_t e) { return culled(projected.edges[e].face0) && culled(projected.edges[e].face1); });
 }
 
 }  // namespace ligne

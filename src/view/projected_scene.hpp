@@ -72,6 +72,19 @@ struct ProjectedScene {
   std::uint32_t place(std::uint32_t vertex) const {
     return vertex < first_at_place.size() ? first_at_place[vertex] : vertex;  // later vertices are ends of added lines
   }
+  /// Removes the candidates i for which drop(i) holds.
+  template <class Drop>
+  void erase_edges(const Drop& drop) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (drop(i)) continue;
+      edges[kept] = edges[i];
+      if (!edge_parts.empty()) edge_parts[kept] = edge_parts[i];
+      ++kept;
+    }
+    edges.resize(kept);
+    if (!edge_parts.empty()) edge_parts.resize(kept);
+  }
   bool is_edge_on(const Triangle& t) const { return !face_is_edge_on.empty() && face_is_edge_on[t.face]; }
 
   /// Rounding error of the input coordinates in page mm at the target plane. Surfaces closer than this touch.

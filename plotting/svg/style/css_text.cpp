@@ -1,7 +1,9 @@
 #include "plotting/svg/style/css_text.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
+#include "files/utf16.hpp"
 #include "plotting/svg/values.hpp"
 
 namespace ligne::svg {
@@ -13,25 +15,6 @@ bool name_character(char c) {
 }
 
 bool hexadecimal(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
-
-void append_utf8(std::string& text, unsigned long code) {
-  const auto put = [&](unsigned long byte) { text += static_cast<char>(byte); };
-  if (code < 0x80) {
-    put(code);
-  } else if (code < 0x800) {
-    put(0xc0 | code >> 6);
-    put(0x80 | (code & 0x3f));
-  } else if (code < 0x10000) {
-    put(0xe0 | code >> 12);
-    put(0x80 | (code >> 6 & 0x3f));
-    put(0x80 | (code & 0x3f));
-  } else {
-    put(0xf0 | (code >> 18 & 7));
-    put(0x80 | (code >> 12 & 0x3f));
-    put(0x80 | (code >> 6 & 0x3f));
-    put(0x80 | (code & 0x3f));
-  }
-}
 
 /// The position behind the string that begins at `at`. A line end ends the string too (CSS Syntax 3, 4.3.5).
 std::size_t behind_string(std::string_view text, std::size_t at) {
@@ -97,7 +80,7 @@ std::string take_css_name(std::string_view& text) {
       text.remove_prefix(1);
       continue;
     }
-    append_utf8(name, std::stoul(std::string(text.substr(0, digits)), nullptr, 16));
+    append_utf8(name, static_cast<std::uint32_t>(std::stoul(std::string(text.substr(0, digits)), nullptr, 16)));
     text.remove_prefix(digits);
     if (!text.empty() && kBlanks.find(text[0]) != std::string_view::npos) text.remove_prefix(1);
   }

@@ -221,33 +221,10 @@ std::optional<ModelFormat> text_format(std::string_view text) {
 }  // namespace
 
 std::string_view to_string(ModelFormat format) {
-  switch (format) {
-    case ModelFormat::gltf:
-      return "glTF";
-    case ModelFormat::glb:
-      return "glTF binary";
-    case ModelFormat::obj:
-      return "OBJ";
-    case ModelFormat::stl_ascii:
-      return "STL";
-    case ModelFormat::stl_binary:
-      return "STL binary";
-    case ModelFormat::ply:
-      return "PLY";
-    case ModelFormat::asc_3d_studio:
-      return "3D Studio ASCII";
-    case ModelFormat::three_ds:
-      return "3D Studio";
-    case ModelFormat::off:
-      return "OFF";
-    case ModelFormat::three_mf:
-      return "3MF";
-    case ModelFormat::ligne_tree:
-      return "compiled model";
-    case ModelFormat::ligne_scene:
-      break;
-  }
-  return "ligne scene";
+  constexpr std::string_view kNames[] = {"glTF",        "glTF binary",     "OBJ",       "STL", "STL binary",
+                                         "PLY",         "3D Studio ASCII", "3D Studio", "OFF", "3MF",
+                                         "ligne scene", "compiled model"};
+  return kNames[static_cast<std::size_t>(format)];
 }
 
 ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suffix, const std::string& name) {

@@ -76,15 +76,9 @@ class TableReader {
 
   CellValue value_of(std::string_view cell) const { return cell_value(cell, table_.style_.numbers); }
 
-  bool has_number(std::string_view row) const {
+  bool has(CellKind kind, std::string_view row) const {
     for (bool ended = false; !ended;) {
-      if (value_of(take_cell(row, separator(), ended)).kind == CellKind::number) return true;
-    }
-    return false;
-  }
-  bool has_word(std::string_view row) const {
-    for (bool ended = false; !ended;) {
-      if (value_of(take_cell(row, separator(), ended)).kind == CellKind::word) return true;
+      if (value_of(take_cell(row, separator(), ended)).kind == kind) return true;
     }
     return false;
   }
@@ -117,7 +111,7 @@ class TableReader {
       const std::size_t count = cells_of(row, separator()).size();
       // A line of prose begins with a word and has a different number of cells than the rows.
       const bool is_prose = count != usual && count + 1 != usual && begins_with_word(row);
-      if (!is_prose && (has_number(row) || !has_word(row))) break;
+      if (!is_prose && (has(CellKind::number, row) || !has(CellKind::word, row))) break;
       if (!is_prose && count + 1 >= usual) head_ = row;
       ++heads;
     }
@@ -131,7 +125,7 @@ class TableReader {
       warnings_.leave_out("repeated head rows");
       return;
     }
-    if (!is_first && line.blanks_before > 0 && !has_number(line.text) && has_word(line.text)) {
+    if (!is_first && line.blanks_before > 0 && !has(CellKind::number, line.text) && has(CellKind::word, line.text)) {
       warnings_.leave_out("head rows of data sets");
       pending_blanks_ += line.blanks_before;
       return;

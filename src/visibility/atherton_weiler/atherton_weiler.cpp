@@ -336,17 +336,12 @@ VisibilityResult atherton_weiler_visibility(const ProjectedScene& scene, const V
 
 const Method& atherton_weiler_method() {
   static const FunctionMethod method(
-      {"atherton-weiler",
-       "faces clipped by the faces in front of them: visible polygons with holes, and their borders as lines",
-       kStrokes | kRegions,
-       true,
-       true,
-       "K. Weiler, P. Atherton, Hidden surface removal using polygon area sorting, 1977",
-       MethodTraits{}.tolerance_mm,
-       kParameters,
-       {},
-       false,
-       TransparencyMode::seen_through},
+      {.name = "atherton-weiler",
+       .summary = "faces clipped by the faces in front of them: visible polygons with holes, and their borders as lines",
+       .products = kStrokes | kRegions,
+       .paper = "K. Weiler, P. Atherton, Hidden surface removal using polygon area sorting, 1977",
+       .parameters = kParameters,
+       .transparency = TransparencyMode::seen_through},
       atherton_weiler_visibility);
   return method;
 }

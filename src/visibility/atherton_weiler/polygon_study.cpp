@@ -58,12 +58,6 @@ class UnitOrders {
   std::unordered_map<std::uint64_t, DepthOrder> known_;  ///< by the numbers of two units, lower first
 };
 
-int common_corners(const Facet& a, const Facet& b) {
-  int n = 0;
-  for (const std::uint32_t v : a.v) n += v == b.v[0] || v == b.v[1] || v == b.v[2];
-  return n;
-}
-
 DepthOrder turned(DepthOrder order) {
   return order == DepthOrder::first ? DepthOrder::second : order == DepthOrder::second ? DepthOrder::first : order;
 }
@@ -354,12 +348,7 @@ VisibleFaces study_polygons(const ProjectedScene& scene, const std::vector<Facet
     done += size;
     if (progress) progress(static_cast<double>(done) / static_cast<double>(units.size()));
   });
-  for (VisibleFaces& part : found) {
-    std::move(part.regions.begin(), part.regions.end(), std::back_inserter(result.regions));
-    result.borders.insert(result.borders.end(), part.borders.begin(), part.borders.end());
-  }
-  std::stable_sort(result.regions.begin(), result.regions.end(),
-                   [](const Region& a, const Region& b) { return a.face < b.face; });
+  result.append(found);
   return result;
 }
 

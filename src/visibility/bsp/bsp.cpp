@@ -11,25 +11,21 @@
 
 namespace ligne {
 
-const MethodTraits& BspMethod::traits() const {
+const MethodTraits& BspTree::traits() {
   static const MethodTraits traits{
-      "bsp",
-      "a binary tree of the planes of faces, built once for all viewpoints; its traversal gives the order",
-      kStrokes | kRegions | kOrder,
-      true,
-      true,
-      "H. Fuchs, Z. Kedem, B. Naylor, On visible surface generation by a priori tree structures, 1980",
-      MethodTraits{}.tolerance_mm,
-      kTreeParameters,
-      {},
-      true,
-      TransparencyMode::seen_through};
+      .name = "bsp",
+      .summary = "a binary tree of the planes of faces, built once for all viewpoints; its traversal gives the order",
+      .products = kStrokes | kRegions | kOrder,
+      .paper = "H. Fuchs, Z. Kedem, B. Naylor, On visible surface generation by a priori tree structures, 1980",
+      .parameters = kTreeParameters,
+      .compiles = true,
+      .transparency = TransparencyMode::seen_through};
   return traits;
 }
 
-void BspMethod::count(const BspTree::Counts& counts, Statistics& statistics) const {
-  statistics.count("nodes", counts.nodes);
-  statistics.count("nodes whose plane contains no face", counts.free_planes);
+void BspTree::report(Statistics& statistics) const {
+  statistics.count("nodes", counts_.nodes);
+  statistics.count("nodes whose plane contains no face", counts_.free_planes);
 }
 
 BspTree::BspTree(const Scene& scene, const PlaneChoice& options) : pieces_(scene) {
@@ -55,20 +51,14 @@ BspTree::BspTree(ByteReader& bytes, const Scene& scene) : pieces_(bytes, scene) 
   }
   nodes_ = bytes.list<Node>();
   in_planes_ = bytes.list<std::uint32_t>();
-  // A valid tree is as compiled: the nodes own consecutive ranges, and each node comes before its subtrees.
-  std::vector<std::uint8_t> is_child(nodes_.size(), 0);
+  // A valid tree is as compiled: the nodes own consecutive ranges.
   std::uint32_t end = 0;
-  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
-    const Node& node = nodes_[i];
+  for (const Node& node : nodes_) {
     bytes.need(node.begin == end && node.begin <= node.end && node.end <= in_planes_.size(), "a node has no pieces");
     end = node.end;
     bytes.need(node.plane.is_finite(), "a plane is not finite");
-    for (const std::uint32_t child : {node.front, node.back}) {
-      if (child == kNone) continue;
-      bytes.need(child > i && child < nodes_.size() && !is_child[child], "a subtree is missing or repeated");
-      is_child[child] = 1;
-    }
   }
+  require_tree(bytes, nodes_);
   bytes.need(end == in_planes_.size() && in_planes_.size() == pieces_.pieces().size(), "a piece is in no node");
   std::vector<std::uint8_t> is_there(in_planes_.size(), 0);
   for (const std::uint32_t piece : in_planes_) {

@@ -36,6 +36,9 @@ class BspTree final : public CompiledScene {
   BspTree(ByteReader& bytes, const Scene& scene);
   void write(ByteWriter& bytes) const override;
 
+  static const MethodTraits& traits();
+  /// Reports the counts of this kind of tree alone.
+  void report(Statistics& statistics) const;
   const ModelPieces& pieces() const { return pieces_; }
   const Counts& counts() const { return counts_; }
 
@@ -89,12 +92,6 @@ class BspTree final : public CompiledScene {
   Counts counts_;
 };
 
-class BspMethod final : public TreeMethod<BspTree> {
- public:
-  const MethodTraits& traits() const override;
-
- private:
-  void count(const BspTree::Counts& counts, Statistics& statistics) const override;
-};
+using BspMethod = TreeMethod<BspTree>;
 
 }  // namespace ligne

@@ -48,6 +48,14 @@ Facets make_facets(const ProjectedScene& scene, double thin_steps);
 float round_down(double v);
 float round_up(double v);
 
+/// Number of vertices that two facets have in common.
+template <class AnyFacet>
+int common_corners(const AnyFacet& a, const AnyFacet& b) {
+  int n = 0;
+  for (const std::uint32_t v : a.v) n += v == b.v[0] || v == b.v[1] || v == b.v[2];
+  return n;
+}
+
 /// The sides and the depth of a facet as linear functions over the page:
 /// E_i(x, y) = ex x + ey y + e, and depth z(x, y) = zx x + zy y + z. The arithmetic is rounded: for searches, not for
 /// decisions.

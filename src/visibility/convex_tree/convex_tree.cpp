@@ -194,16 +194,9 @@ ConvexTree::ConvexTree(ByteReader& bytes, const Scene& scene) : pieces_(bytes, s
     }
     bytes.need(node.plane.is_finite() && node.begin <= node.end && node.end <= inward_.size(), "a node has no plane");
   }
-  // As it is compiled: nodes stand before their subtrees. Convex sets have no common piece.
-  std::vector<std::uint8_t> is_child(nodes_.size(), 0);
+  require_tree(bytes, nodes_);
   std::vector<std::uint8_t> is_owned(inward_.size(), 0);
-  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
-    const Node& node = nodes_[i];
-    for (const std::uint32_t child : {node.front, node.back}) {
-      if (child == kNone) continue;
-      bytes.need(child > i && child < nodes_.size() && !is_child[child], "a subtree is missing or repeated");
-      is_child[child] = 1;
-    }
+  for (const Node& node : nodes_) {
     for (std::uint32_t k = node.begin; k < node.end; ++k) {
       bytes.need(node.convex && !is_owned[k], "two convex sets have a common piece");
       is_owned[k] = 1;
@@ -343,26 +336,22 @@ std::vector<PartitionNode> ConvexTree::partition() const {
   return partition_nodes(nodes_, [](const Node& node) { return !node.convex; });
 }
 
-const MethodTraits& ConvexTreeMethod::traits() const {
+const MethodTraits& ConvexTree::traits() {
   static const MethodTraits traits{
-      "convex-tree",
-      "nested convex sets of triangles with separating planes, compiled once for all viewpoints",
-      kStrokes | kRegions | kOrder,
-      true,
-      true,
-      "S. Huet, Compilation d'objets 3D, 1994",
-      MethodTraits{}.tolerance_mm,
-      kTreeParameters,
-      {},
-      true,
-      TransparencyMode::seen_through};
+      .name = "convex-tree",
+      .summary = "nested convex sets of triangles with separating planes, compiled once for all viewpoints",
+      .products = kStrokes | kRegions | kOrder,
+      .paper = "S. Huet, Compilation d'objets 3D, 1994",
+      .parameters = kTreeParameters,
+      .compiles = true,
+      .transparency = TransparencyMode::seen_through};
   return traits;
 }
 
-void ConvexTreeMethod::count(const ConvexTree::Counts& counts, Statistics& statistics) const {
-  statistics.count("convex sets (nodes of type 1)", counts.convex_sets);
-  statistics.count("complexity (nodes of type 2)", counts.planes);
-  statistics.count("of these, planes that contain no face", counts.free_planes);
+void ConvexTree::report(Statistics& statistics) const {
+  statistics.count("convex sets (nodes of type 1)", counts_.convex_sets);
+  statistics.count("complexity (nodes of type 2)", counts_.planes);
+  statistics.count("of these, planes that contain no face", counts_.free_planes);
 }
 
 }  // namespace ligne

@@ -36,6 +36,9 @@ class ConvexTree final : public CompiledScene {
   ConvexTree(ByteReader& bytes, const Scene& scene);
   void write(ByteWriter& bytes) const override;
 
+  static const MethodTraits& traits();
+  /// Reports the counts of this kind of tree alone.
+  void report(Statistics& statistics) const;
   const ModelPieces& pieces() const { return pieces_; }
   const Counts& counts() const { return counts_; }
 
@@ -113,12 +116,6 @@ class ConvexTree final : public CompiledScene {
 /// Convex sets and separating planes: a display tree, compiled once, gives the order of the faces from any viewpoint.
 ///
 /// After S. Huet, "Compilation d'objets 3D", 1994. docs/methods/convex-tree.md.
-class ConvexTreeMethod final : public TreeMethod<ConvexTree> {
- public:
-  const MethodTraits& traits() const override;
-
- private:
-  void count(const ConvexTree::Counts& counts, Statistics& statistics) const override;
-};
+using ConvexTreeMethod = TreeMethod<ConvexTree>;
 
 }  // namespace ligne

@@ -74,15 +74,12 @@ VisibilityResult culling_visibility(const ProjectedScene& scene, const Visibilit
 
 const Method& culling_method() {
   static const FunctionMethod method(
-      {"culling",
-       "edges of front faces: sufficient for one convex body",
-       kStrokes,
-       true,
-       false,
-       "P. Boulle, Etude et realisation d'algorithmes pour la visualisation de scenes composees de facettes planes, 1980",
-       MethodTraits{}.tolerance_mm,
-       {},
-       "one opaque convex body entirely in view"},
+      {.name = "culling",
+       .summary = "edges of front faces: sufficient for one convex body",
+       .penetration = false,
+       .paper =
+           "P. Boulle, Etude et realisation d'algorithmes pour la visualisation de scenes composees de facettes planes, 1980",
+       .only_for = "one opaque convex body entirely in view"},
       culling_visibility);
   return method;
 }

@@ -126,11 +126,12 @@ VisibilityResult appel_visibility(const ProjectedScene& scene, const VisibilityO
 
 const Method& appel_method() {
   static const FunctionMethod method(
-      {"appel", "each edge tested against the faces that can hide it, by exact intervals; the default for line drawings",
-       kStrokes, true, true,
-       "A. Appel, The notion of quantitative invisibility, 1967; R. Galimberti, U. Montanari, An algorithm for hidden line "
-       "elimination, 1969",
-       MethodTraits{}.tolerance_mm, kParameters},
+      {.name = "appel",
+       .summary = "each edge tested against the faces that can hide it, by exact intervals; the default for line drawings",
+       .paper =
+           "A. Appel, The notion of quantitative invisibility, 1967; R. Galimberti, U. Montanari, An algorithm for hidden line "
+           "elimination, 1969",
+       .parameters = kParameters},
       appel_visibility);
   return method;
 }

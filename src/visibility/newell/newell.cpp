@@ -156,17 +156,13 @@ VisibilityResult newell_visibility(const ProjectedScene& scene, const Visibility
 
 const Method& newell_method() {
   static const FunctionMethod method(
-      {"newell",
-       "a list of faces sorted by depth, then checked and corrected pair by pair; faces that have no order are cut",
-       kStrokes | kRegions | kOrder,
-       true,
-       true,
-       "M. Newell, R. Newell, T. Sancha, A solution to the hidden surface problem, 1972",
-       MethodTraits{}.tolerance_mm,
-       kParameters,
-       {},
-       false,
-       TransparencyMode::seen_through},
+      {.name = "newell",
+       .summary =
+           "a list of faces sorted by depth, then checked and corrected pair by pair; faces that have no order are cut",
+       .products = kStrokes | kRegions | kOrder,
+       .paper = "M. Newell, R. Newell, T. Sancha, A solution to the hidden surface problem, 1972",
+       .parameters = kParameters,
+       .transparency = TransparencyMode::seen_through},
       newell_visibility);
   return method;
 }

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/no_index.hpp"
+#include "files/bytes.hpp"
 #include "visibility/common/clock.hpp"
 #include "visibility/edges/edge_visibility.hpp"
 #include "visibility/method.hpp"
@@ -79,10 +81,26 @@ VisibilityResult tree_visibility(const Tree& tree, const ProjectedScene& scene, 
   return result;
 }
 
-/// A method that compiles a tree from a scene's model once, for all views.
+/// Throws InputError unless the nodes of a tree that was read are as compiled: each stands before its subtrees, and in one.
+template <class Node>
+void require_tree(const ByteReader& bytes, const std::vector<Node>& nodes) {
+  std::vector<std::uint8_t> is_child(nodes.size(), 0);
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    for (const std::uint32_t child : {nodes[i].front, nodes[i].back}) {
+      if (child == kNone) continue;
+      bytes.need(child > i && child < nodes.size() && !is_child[child], "a subtree is missing or repeated");
+      is_child[child] = 1;
+    }
+  }
+}
+
+/// A method that compiles a tree from a scene's model once, for all views. `Tree` has traits(), and report(statistics) for
+/// its own counts.
 template <class Tree>
-class TreeMethod : public Method {
+class TreeMethod final : public Method {
  public:
+  const MethodTraits& traits() const override { return Tree::traits(); }
+
   /// Uses the compiled tree if there is one; otherwise compiles it and reports the time before those of the study.
   VisibilityResult compute_visibility(const ProjectedScene& scene, const VisibilityOptions& options) const final {
     if (options.compiled) return compute_visibility(dynamic_cast<const Tree&>(*options.compiled), scene, options);
@@ -105,16 +123,12 @@ class TreeMethod : public Method {
   VisibilityResult compute_visibility(const Tree& tree, const ProjectedScene& scene,
                                       const VisibilityOptions& options) const {
     VisibilityResult result = tree_visibility(tree, scene, options);
-    count(tree.counts(), result.statistics);
+    tree.report(result.statistics);
     result.statistics.count("splits", tree.counts().splits);
     result.statistics.count("pieces", tree.pieces().pieces().size());
     result.statistics.count("depth of the tree", tree.counts().depth);
     return result;
   }
-
- private:
-  /// Reports the counts specific to this kind of tree.
-  virtual void count(const typename Tree::Counts& counts, Statistics& statistics) const = 0;
 };
 
 }  // namespace ligne

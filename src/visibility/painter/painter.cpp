@@ -225,10 +225,14 @@ VisibilityResult painter_visibility(const ProjectedScene& scene, const Visibilit
 
 const Method& painter_method() {
   static const FunctionMethod method(
-      {"painter", "faces sorted by depth and painted from the farthest to the nearest; none is cut",
-       kStrokes | kOrder | kPixels, true, false,
-       "M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the hidden surface problem, 1972 (its simple versions)",
-       MethodTraits{}.tolerance_mm, kParameters, "scenes whose faces the sort orders correctly"},
+      {.name = "painter",
+       .summary = "faces sorted by depth and painted from the farthest to the nearest; none is cut",
+       .products = kStrokes | kOrder | kPixels,
+       .penetration = false,
+       .paper =
+           "M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the hidden surface problem, 1972 (its simple versions)",
+       .parameters = kParameters,
+       .only_for = "scenes whose faces the sort orders correctly"},
       painter_visibility);
   return method;
 }

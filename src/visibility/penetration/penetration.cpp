@@ -84,12 +84,6 @@ std::optional<PageSegment> common_segment(const PlacedFacet& a, const PlacedFace
   return clip_to_facet({ends[0], ends[1]}, a);
 }
 
-int common_corners(const PlacedFacet& a, const PlacedFacet& b) {
-  int n = 0;
-  for (const std::uint32_t v : a.v) n += v == b.v[0] || v == b.v[1] || v == b.v[2];
-  return n;
-}
-
 /// Whether all of `b` lies outside a side of `a` or along it: then the projections do not overlap.
 bool apart(const PlacedFacet& a, const PlacedFacet& b) {
   for (std::size_t i = 0; i < 3; ++i) {

@@ -141,12 +141,6 @@ bool Worker::covered_by(std::uint32_t facet, std::uint32_t other) const {
   return true;
 }
 
-int common_corners(const Facet& a, const Facet& b) {
-  int n = 0;
-  for (const std::uint32_t v : a.v) n += v == b.v[0] || v == b.v[1] || v == b.v[2];
-  return n;
-}
-
 /// The part of facet a in front of facet b, by their order `a_b`.
 ClipPart part_in_front(const std::vector<Facet>& facets, const std::vector<ProjectedVertex>& vertices, std::uint32_t a,
                        const FacetOrder& a_b) {
@@ -319,15 +313,18 @@ VisibleFaces find_visible_faces(const ProjectedScene& scene, const std::vector<F
       progress(static_cast<double>(++done) / static_cast<double>(tasks));
     }
   });
-  for (VisibleFaces& part : found) {
-    result.counts += part.counts;
-    std::move(part.regions.begin(), part.regions.end(), std::back_inserter(result.regions));
-    result.borders.insert(result.borders.end(), part.borders.begin(), part.borders.end());
+  for (const VisibleFaces& part : found) result.counts += part.counts;
+  result.append(found);
+  return result;
+}
+
+void VisibleFaces::append(std::vector<VisibleFaces>& parts) {
+  for (VisibleFaces& part : parts) {
+    std::move(part.regions.begin(), part.regions.end(), std::back_inserter(regions));
+    borders.insert(borders.end(), part.borders.begin(), part.borders.end());
     part = {};
   }
-  std::stable_sort(result.regions.begin(), result.regions.end(),
-                   [](const Region& a, const Region& b) { return a.face < b.face; });
-  return result;
+  std::stable_sort(regions.begin(), regions.end(), [](const Region& a, const Region& b) { return a.face < b.face; });
 }
 
 }  // namespace ligne

@@ -37,6 +37,9 @@ struct VisibleFaces {
   std::vector<BorderPart> borders;          ///< the borders of the regions, except cuts
   std::vector<std::uint8_t> facet_touches;  ///< per facet: 1 if it touches a facet that is not its neighbour along a side
   StudyCounts counts;
+
+  /// Appends the regions and borders of parts, and sorts the regions by face.
+  void append(std::vector<VisibleFaces>& parts);
 };
 
 /// Appends the regions that these edges bound, and their borders. `several_pieces`: the edges bound several adjacent

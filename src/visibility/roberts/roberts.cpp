@@ -295,16 +295,12 @@ VisibilityResult roberts_visibility(const ProjectedScene& scene, const Visibilit
 }  // namespace
 
 const Method& roberts_method() {
-  static const FunctionMethod method({"roberts",
-                                      "each edge tested against the convex bodies in front of it, by linear inequalities",
-                                      kStrokes,
-                                      true,
-                                      true,
-                                      "L. G. Roberts, Machine perception of three-dimensional solids, 1963",
-                                      MethodTraits{}.tolerance_mm,
-                                      {},
-                                      "scenes of convex bodies and flat convex faces entirely in view"},
-                                     roberts_visibility);
+  static const FunctionMethod method(
+      {.name = "roberts",
+       .summary = "each edge tested against the convex bodies in front of it, by linear inequalities",
+       .paper = "L. G. Roberts, Machine perception of three-dimensional solids, 1963",
+       .only_for = "scenes of convex bodies and flat convex faces entirely in view"},
+      roberts_visibility);
   return method;
 }
 

@@ -263,11 +263,6 @@ void Control::split(const Window& window, const Division& division, const Lists&
     if (division.across) task.outcome.cuts.push_back({{division.u, w.v0}, {division.u, w.v1}});
     if (division.down) task.outcome.cuts.push_back({{w.u0, division.v}, {w.u1, division.v}});
   }
-  std::array<std::vector<Piece>, 4> parts;
-  for (const Piece& piece : pieces) {
-    cut_piece(lines_[piece.line], piece, table_.frame, division,
-              [&](int child, const Piece& part) { parts[child].push_back(part); });
-  }
   std::array<Window, 4> windows;
   for (std::size_t k = 0; k < 4; ++k) {
     const bool high_u = k % 2 == 1, high_v = k / 2 == 1;
@@ -276,14 +271,7 @@ void Control::split(const Window& window, const Division& division, const Lists&
                      : Window{high_u ? division.u : w.u0, division.across && !high_u ? division.u : w.u1,
                               high_v ? division.v : w.v0, division.down && !high_v ? division.v : w.v1};
   }
-  Clock clock;
-  std::array<Lists, 4> child_lists = analysis_.children(lists, windows, task.outcome.counts.analysis);
-  task.outcome.counts.analysis_seconds += clock.lap();
-  std::array<Child, 4> children{{{windows[0], std::move(child_lists[0]), std::move(parts[0])},
-                                 {windows[1], std::move(child_lists[1]), std::move(parts[1])},
-                                 {windows[2], std::move(child_lists[2]), std::move(parts[2])},
-                                 {windows[3], std::move(child_lists[3]), std::move(parts[3])}}};
-  study_children(children, lists.elements.size(), lists.elements.size() + pieces.size(), divisions, task);
+  study_parts(windows, division, lists, pieces, divisions, task);
 }
 
 void Control::split(const ConvexWindow& window, const Border& border, const Lists& lists, const std::vector<Piece>& pieces,
@@ -292,16 +280,23 @@ void Control::split(const ConvexWindow& window, const Border& border, const List
   if (rules_.show_windows) {
     if (const auto chord = windows[0].edge_along(border)) task.outcome.cuts.push_back({chord->first, chord->second});
   }
-  std::array<std::vector<Piece>, 2> parts;
+  study_parts(windows, border, lists, pieces, divisions, task);
+}
+
+template <std::size_t kParts, class Shape, class Divider>
+void Control::study_parts(const std::array<Shape, kParts>& windows, const Divider& divider, const Lists& lists,
+                          const std::vector<Piece>& pieces, Divisions divisions, Task& task) const {
+  std::array<std::vector<Piece>, kParts> parts;
   for (const Piece& piece : pieces) {
-    cut_piece(lines_[piece.line], piece, table_.frame, border,
+    cut_piece(lines_[piece.line], piece, table_.frame, divider,
               [&](int child, const Piece& part) { parts[child].push_back(part); });
   }
   Clock clock;
-  std::array<Lists, 2> child_lists = analysis_.children(lists, windows, task.outcome.counts.analysis);
+  std::array<Lists, kParts> child_lists = analysis_.children(lists, windows, task.outcome.counts.analysis);
   task.outcome.counts.analysis_seconds += clock.lap();
-  std::array<Child, 2> children{{{windows[0], std::move(child_lists[0]), std::move(parts[0])},
-                                 {windows[1], std::move(child_lists[1]), std::move(parts[1])}}};
+  std::vector<Child> children;
+  children.reserve(kParts);
+  for (std::size_t k = 0; k < kParts; ++k) children.push_back({windows[k], std::move(child_lists[k]), std::move(parts[k])});
   study_children(children, lists.elements.size(), lists.elements.size() + pieces.size(), divisions, task);
 }
 

@@ -151,6 +151,10 @@ class Control {
   /// Divides the window in two, along the border.
   void split(const ConvexWindow& window, const Border& border, const Lists& lists, const std::vector<Piece>& pieces,
              Divisions divisions, Task& task) const;
+  /// Studies the parts of a window that `divider` made.
+  template <std::size_t kParts, class Shape, class Divider>
+  void study_parts(const std::array<Shape, kParts>& windows, const Divider& divider, const Lists& lists,
+                   const std::vector<Piece>& pieces, Divisions divisions, Task& task) const;
   /// Studies each child; from kParallelLoad on as tasks. `elements` counts the elements of the divided window, `load` adds
   /// its pieces.
   void study_children(std::span<Child> children, std::size_t elements, std::size_t load, Divisions divisions,

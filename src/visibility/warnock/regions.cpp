@@ -89,20 +89,15 @@ std::vector<DirectedEdge> contour_edges(const std::vector<AreaPiece>& pieces, Di
       edges.push_back({{p.u1, high1}, {p.u0, high0}, i});
     }
   }
-  for (const Interval& i : cancel(std::move(upright), pieces, groups)) {
-    if (i.high_side) {
-      edges.push_back({{i.line, i.to}, {i.line, i.from}, i.piece});
-    } else {
-      edges.push_back({{i.line, i.from}, {i.line, i.to}, i.piece});
+  const auto add = [&](std::vector<Interval> intervals, bool is_upright) {
+    for (const Interval& i : cancel(std::move(intervals), pieces, groups)) {
+      const auto at = [&](double along) { return is_upright ? FramePoint{i.line, along} : FramePoint{along, i.line}; };
+      const bool ascends = i.high_side != is_upright;
+      edges.push_back({at(ascends ? i.from : i.to), at(ascends ? i.to : i.from), i.piece});
     }
-  }
-  for (const Interval& i : cancel(std::move(flat), pieces, groups)) {
-    if (i.high_side) {
-      edges.push_back({{i.from, i.line}, {i.to, i.line}, i.piece});
-    } else {
-      edges.push_back({{i.to, i.line}, {i.from, i.line}, i.piece});
-    }
-  }
+  };
+  add(std::move(upright), true);
+  add(std::move(flat), false);
   return edges;
 }
 

@@ -262,18 +262,14 @@ double warnock_tolerance_mm(const Rect& sheet, unsigned resolution) {
 
 const Method& warnock_method() {
   static const FunctionMethod method(
-      {"warnock",
-       "subdivision of the picture into windows that are simple enough; edges and areas; exact, or limited by --set "
-       "resolution",
-       kStrokes | kRegions,
-       true,
-       true,
-       "J. E. Warnock, A hidden surface algorithm for computer generated halftone pictures, 1969",
-       0.001,
-       kParameters,
-       {},
-       false,
-       TransparencyMode::left_out},
+      {.name = "warnock",
+       .summary =
+           "subdivision of the picture into windows that are simple enough; edges and areas; exact, or limited by --set "
+           "resolution",
+       .products = kStrokes | kRegions,
+       .paper = "J. E. Warnock, A hidden surface algorithm for computer generated halftone pictures, 1969",
+       .parameters = kParameters,
+       .transparency = TransparencyMode::left_out},
       warnock_visibility);
   return method;
 }

@@ -378,18 +378,14 @@ VisibilityResult watkins_visibility(const ProjectedScene& scene, const Visibilit
 
 const Method& watkins_method() {
   static const FunctionMethod method(
-      {"watkins",
-       "scan lines: the nearest face of each span; visible edges tracked between events",
-       kStrokes | kSpans,
-       true,
-       true,
-       "G. S. Watkins, A real time visible surface algorithm, 1970; M. Archuleta, Hidden surface line-drawing algorithm, "
-       "1972",
-       0.001,
-       watkins_parameters(),
-       {},
-       false,
-       TransparencyMode::hides_nothing},
+      {.name = "watkins",
+       .summary = "scan lines: the nearest face of each span; visible edges tracked between events",
+       .products = kStrokes | kSpans,
+       .paper =
+           "G. S. Watkins, A real time visible surface algorithm, 1970; M. Archuleta, Hidden surface line-drawing algorithm, "
+           "1972",
+       .parameters = watkins_parameters(),
+       .transparency = TransparencyMode::hides_nothing},
       watkins_visibility);
   return method;
 }

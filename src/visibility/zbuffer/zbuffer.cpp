@@ -294,17 +294,14 @@ VisibilityResult zbuffer_visibility(const ProjectedScene& scene, const Visibilit
 
 const Method& zbuffer_method() {
   static const FunctionMethod method(
-      {"zbuffer",
-       "the nearest face at every pixel, by scan lines; pictures, and lines accurate to one pixel",
-       kStrokes | kPixels,
-       false,
-       true,
-       "E. Catmull, A subdivision algorithm for computer display of curved surfaces, 1974",
-       zbuffer_tolerance_mm(210, kRows),
-       kParameters,
-       {},
-       false,
-       TransparencyMode::hides_nothing},
+      {.name = "zbuffer",
+       .summary = "the nearest face at every pixel, by scan lines; pictures, and lines accurate to one pixel",
+       .products = kStrokes | kPixels,
+       .exact = false,
+       .paper = "E. Catmull, A subdivision algorithm for computer display of curved surfaces, 1974",
+       .tolerance_mm = zbuffer_tolerance_mm(210, kRows),
+       .parameters = kParameters,
+       .transparency = TransparencyMode::hides_nothing},
       zbuffer_visibility);
   return method;
 }
