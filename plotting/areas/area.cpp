@@ -2,7 +2,6 @@
 #include "base/hash.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>

@@ -1,8 +1,6 @@
 #include "picture/light/details.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <optional>
 #include <utility>
 

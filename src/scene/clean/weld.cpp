@@ -7,7 +7,6 @@
 
 #include "scene/clean/weld.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>

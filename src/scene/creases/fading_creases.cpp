@@ -9,7 +9,6 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <utility>
 
 #include "base/disjoint_sets.hpp"
 #include "base/indices_where.hpp"

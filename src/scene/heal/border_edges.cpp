@@ -1,7 +1,6 @@
 #include "scene/heal/border_edges.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "base/hash.hpp"
 #include "base/indices_where.hpp"

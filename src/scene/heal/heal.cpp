@@ -15,7 +15,6 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "base/prefetch.hpp"
-#include "scene/clean/clean.hpp"
 #include "scene/clean/cut_nonplanar.hpp"
 #include "scene/heal/border_edges.hpp"
 #include "scene/heal/border_gaps.hpp"

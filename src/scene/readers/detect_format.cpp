@@ -1,7 +1,6 @@
 // Formats are recognised in this order: files with a magic number (GLB, PLY, JSON, images and archives); binary STL,
 // whose size must match its count; text by its first lines; and last the suffix.
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "scene/model/faces_and_edges.hpp"
 #include "scene/readers/reader.hpp"

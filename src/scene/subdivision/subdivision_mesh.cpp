@@ -1,7 +1,6 @@
 #include "scene/subdivision/subdivision_mesh.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"

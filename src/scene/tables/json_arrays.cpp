@@ -10,7 +10,7 @@
 
 #include "files/message_text.hpp"
 #include "scene/readers/text_lines.hpp"
-#include "scene/tables/column_names.hpp"
+#include "scene/tables/cell_value.hpp"
 #include "scene/tables/data_array.hpp"
 
 namespace ligne {

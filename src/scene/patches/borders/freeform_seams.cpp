@@ -1,7 +1,6 @@
 #include "scene/patches/borders/freeform_seams.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <optional>

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "scene/model/diagnostics.hpp"
-#include "scene/readers/text_lines.hpp"
 
 namespace ligne {
 namespace {

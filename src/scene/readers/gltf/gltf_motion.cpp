@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "scene/readers/text_lines.hpp"
 
 namespace ligne {
 namespace {

@@ -12,7 +12,6 @@
 #include <utility>
 #include <variant>
 
-#include "scene/readers/text_lines.hpp"
 
 namespace ligne {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "scene/readers/text_lines.hpp"
 #include "scene/surfaces/grids/grid_formats.hpp"
 #include "scene/surfaces/held_heights.hpp"
 #include "scene/tables/column_names.hpp"

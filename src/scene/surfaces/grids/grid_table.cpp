@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "files/message_text.hpp"
-#include "scene/readers/text_lines.hpp"
 #include "scene/surfaces/grids/grid_formats.hpp"
 #include "scene/surfaces/held_heights.hpp"
 #include "scene/surfaces/scattered_points.hpp"
