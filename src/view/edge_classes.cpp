@@ -12,7 +12,7 @@
 #include "base/indices_where.hpp"
 #include "base/large_vector.hpp"
 #include "base/no_index.hpp"
-#include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "base/prefetch.hpp"
 #include "scene/model/face_shape.hpp"
 #include "scene/model/planarity.hpp"
@@ -89,18 +89,16 @@ FaceSides face_sides(const Scene& scene, const View& view, bool with_normals, st
   };
   const std::span<const std::uint32_t> corners = scene.faces.corners();
   const bool all_triangles = scene.faces.all_triangles();
-  parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) {
-      if (has_sure && sides.facing[f] != 0) continue;
-      if (all_triangles) {
-        if (!has_sure) prefetch_corners(scene.vertices, corners, f);
-        const Point3& a = scene.vertices[corners[3 * f]];
-        const Point3 &b = scene.vertices[corners[3 * f + 1]], &c = scene.vertices[corners[3 * f + 2]];
-        set(f, triangle_normal(a, b, c), a);
-      } else {
-        const auto face = static_cast<std::uint32_t>(f);
-        set(f, face_normal(scene, face), scene.vertices[scene.faces.contour(face, 0)[0]]);
-      }
+  parallel_each(n, [&](std::size_t f) {
+    if (has_sure && sides.facing[f] != 0) return;
+    if (all_triangles) {
+      if (!has_sure) prefetch_corners(scene.vertices, corners, f);
+      const Point3& a = scene.vertices[corners[3 * f]];
+      const Point3 &b = scene.vertices[corners[3 * f + 1]], &c = scene.vertices[corners[3 * f + 2]];
+      set(f, triangle_normal(a, b, c), a);
+    } else {
+      const auto face = static_cast<std::uint32_t>(f);
+      set(f, face_normal(scene, face), scene.vertices[scene.faces.contour(face, 0)[0]]);
     }
   });
   sides.any_flat = any_flat;

@@ -10,6 +10,7 @@
 #include "base/large_vector.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "scene/model/bounds.hpp"
 #include "view/clip.hpp"
 #include "view/coincident.hpp"
@@ -66,11 +67,8 @@ class Clipper {
   Clipper(const Scene& scene, const View& view, const Volumes& volumes, ProjectedScene& out)
       : scene_(scene), view_(view), volumes_(volumes), out_(out) {
     inside_.resize(scene.vertices.size());
-    parallel_blocks(inside_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        inside_[i] = volumes_.faces.contains(to_homogeneous(view_, scene_.vertices[i]));
-      }
-    });
+    parallel_each(inside_.size(),
+                  [&](std::size_t i) { inside_[i] = volumes_.faces.contains(to_homogeneous(view_, scene_.vertices[i])); });
   }
 
   void clip_triangles(const std::vector<Triangle>& triangles) {
@@ -156,12 +154,10 @@ void select_edges(const Scene& scene, const Topology& topology, const EdgeSelect
   const std::vector<std::uint32_t> selected =
       indices_where(classes.size(), [&](std::size_t e) { return selection.classes.has(classes[e]); });
   out.edges = large_vector<ProjectedEdge>(selected.size());
-  parallel_blocks(selected.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const std::uint32_t e = selected[k];
-      const Edge& edge = topology.edges[e];
-      out.edges[k] = {edge.v0, edge.v1, edge.face0, edge.face1, e, classes[e]};
-    }
+  parallel_each(selected.size(), [&](std::size_t k) {
+    const std::uint32_t e = selected[k];
+    const Edge& edge = topology.edges[e];
+    out.edges[k] = {edge.v0, edge.v1, edge.face0, edge.face1, e, classes[e]};
   });
 }
 

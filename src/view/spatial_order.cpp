@@ -7,6 +7,7 @@
 
 #include "base/large_vector.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "base/prefetch.hpp"
 
 namespace ligne {
@@ -65,13 +66,6 @@ std::vector<T> in_order(const std::vector<T>& items, const std::vector<std::uint
   return sorted;
 }
 
-template <class Work>
-void for_each_index(std::size_t n, Work work) {
-  parallel_blocks(n, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) work(i);
-  });
-}
-
 }  // namespace
 
 std::uint32_t page_square(LatticePoint p) {
@@ -85,12 +79,12 @@ std::uint32_t page_square(LatticePoint p) {
 std::vector<std::uint32_t> order_faces_spatially(ProjectedScene& scene) {
   const std::size_t n = scene.vertices.size();
   std::vector<std::uint32_t> number(n);
-  for_each_index(n, [&](std::size_t i) { number[i] = page_square(scene.vertices[i].p); });
+  parallel_each(n, [&](std::size_t i) { number[i] = page_square(scene.vertices[i].p); });
   const auto order = stable_order(number, std::size_t{1} << (2 * kMortonBits));
   scene.vertices = in_order(scene.vertices, order);
-  for_each_index(n, [&](std::size_t k) { number[order[k]] = static_cast<std::uint32_t>(k); });
+  parallel_each(n, [&](std::size_t k) { number[order[k]] = static_cast<std::uint32_t>(k); });
   std::vector<std::uint32_t> keys = large_vector<std::uint32_t>(scene.triangles.size());
-  for_each_index(scene.triangles.size(), [&](std::size_t i) {
+  parallel_each(scene.triangles.size(), [&](std::size_t i) {
     if (i + kTurnsAhead < scene.triangles.size()) prefetch(number, scene.triangles[i + kTurnsAhead].v);
     auto& v = scene.triangles[i].v;
     for (std::uint32_t& corner : v) corner = number[corner];
@@ -102,7 +96,7 @@ std::vector<std::uint32_t> order_faces_spatially(ProjectedScene& scene) {
 
 void order_edges_spatially(ProjectedScene& scene, const std::vector<std::uint32_t>& number) {
   std::vector<std::uint32_t> keys = large_vector<std::uint32_t>(scene.edges.size());
-  for_each_index(scene.edges.size(), [&](std::size_t i) {
+  parallel_each(scene.edges.size(), [&](std::size_t i) {
     ProjectedEdge& edge = scene.edges[i];
     edge.v0 = number[edge.v0];
     edge.v1 = number[edge.v1];

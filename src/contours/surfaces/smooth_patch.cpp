@@ -8,6 +8,7 @@
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "base/uninitialized_vector.hpp"
 #include "base/vertex_pair_index.hpp"
 #include "contours/surfaces/rulings.hpp"
@@ -371,11 +372,9 @@ SmoothPatch smooth_patch(const Scene& scene, const Topology& topology, const Cam
   const std::vector<std::uint32_t> inside = touching(topology.triangles, ring);
   patch.triangles.resize(inside.size());
   patch.complete.resize(3 * inside.size());
-  parallel_blocks(inside.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      patch.triangles[t] = topology.triangles[inside[t]];
-      for (std::size_t k = 0; k < 3; ++k) patch.complete[3 * t + k] = ring.has(patch.triangles[t].v[k]);
-    }
+  parallel_each(inside.size(), [&](std::size_t t) {
+    patch.triangles[t] = topology.triangles[inside[t]];
+    for (std::size_t k = 0; k < 3; ++k) patch.complete[3 * t + k] = ring.has(patch.triangles[t].v[k]);
   });
   patch.runs = runs_of(scene, patch.triangles);
   PatchBuilder(scene, topology, camera, borders, patch).build();

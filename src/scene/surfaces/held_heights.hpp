@@ -25,6 +25,12 @@ struct SampleOrder {
     const auto step = static_cast<std::ptrdiff_t>(columns);
     return {(static_cast<std::ptrdiff_t>(rows) - 1) * step, 1, -step};
   }
+  /// Reverses the positions along an axis, of which `step` is the step.
+  void turn(std::vector<double>& positions, std::ptrdiff_t SampleOrder::*step) {
+    std::reverse(positions.begin(), positions.end());
+    begin += (static_cast<std::ptrdiff_t>(positions.size()) - 1) * this->*step;
+    this->*step = -(this->*step);
+  }
 };
 
 template <typename Sample>

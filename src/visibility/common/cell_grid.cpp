@@ -7,6 +7,7 @@
 #include "base/large_vector.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "visibility/common/facet_in_cell.hpp"
 
 namespace ligne {
@@ -156,9 +157,7 @@ void CellGrid::Filler::find_ranges() {
     listed = indices_where(facets.size(), [&](std::size_t i) { return is_wanted(range_of(facets[i])); });
   }
   ranges = large_vector<Range>(filed());
-  parallel_blocks(filed(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) ranges[k] = range_of(facets[facet_number(k)]);
-  });
+  parallel_each(filed(), [&](std::size_t k) { ranges[k] = range_of(facets[facet_number(k)]); });
 }
 
 template <class Visit>

@@ -9,7 +9,7 @@
 #include "base/indices_where.hpp"
 #include "base/large_vector.hpp"
 #include "base/no_index.hpp"
-#include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "visibility/common/facet.hpp"
 
 namespace ligne {
@@ -70,9 +70,7 @@ std::vector<std::uint8_t> joined_facets(const ProjectedScene& scene, const Topol
     }
   }
   std::vector<std::uint8_t> joined = large_vector<std::uint8_t>(facets.size());
-  parallel_blocks(facets.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) joined[i] = kSenses[turns[facets[i].face] + 1];
-  });
+  parallel_each(facets.size(), [&](std::size_t i) { joined[i] = kSenses[turns[facets[i].face] + 1]; });
   return joined;
 }
 

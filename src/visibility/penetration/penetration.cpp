@@ -5,6 +5,7 @@
 
 #include "base/index_lists.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 
 namespace ligne {
 namespace {
@@ -269,13 +270,11 @@ std::vector<Intersection> PenetrationSearch::finish(double least_steps) {
   parallel_sort(pairs_.begin(), pairs_.end());
   pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
   std::vector<Intersection> result(pairs_.size());
-  parallel_blocks(pairs_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const PlacedFacet a = place(pairs_[i].a), b = place(pairs_[i].b);
-      const auto segment = common_segment(a, b, Heights::over(a, b).h);
-      if (!segment) continue;
-      result[i] = {rounded(segment->from), rounded(segment->to), std::min(a.face, b.face), std::max(a.face, b.face)};
-    }
+  parallel_each(pairs_.size(), [&](std::size_t i) {
+    const PlacedFacet a = place(pairs_[i].a), b = place(pairs_[i].b);
+    const auto segment = common_segment(a, b, Heights::over(a, b).h);
+    if (!segment) return;
+    result[i] = {rounded(segment->from), rounded(segment->to), std::min(a.face, b.face), std::max(a.face, b.face)};
   });
   // Removes pairs without a segment, or with one seen end on.
   std::erase_if(result, [](const Intersection& i) { return i.from.p == i.to.p; });

@@ -8,6 +8,7 @@
 #include "base/disjoint_sets.hpp"
 #include "base/index_lists.hpp"
 #include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "geometry/convex_hull.hpp"
 #include "view/clip.hpp"
 #include "visibility/common/convex_body.hpp"
@@ -39,14 +40,12 @@ PlacedModel place_model(const ProjectedScene& scene) {
   page.vertices.resize(vertices.size());
   placed.outside.assign(vertices.size(), 0);
   const ClipVolume volume = face_volume(scene.view, scene.lattice);
-  parallel_blocks(vertices.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const HomogeneousPoint p = to_homogeneous(scene.view, vertices[i]);
-      for (int plane = 0; plane < ClipVolume::kPlanes; ++plane) {
-        if (volume.distance(plane, p) < 0) placed.outside[i] |= static_cast<std::uint8_t>(1 << plane);
-      }
-      if (!placed.outside[i]) page.vertices[i] = {page.lattice.snap({p.x / p.w, p.y / p.w}), p.z / p.w};
+  parallel_each(vertices.size(), [&](std::size_t i) {
+    const HomogeneousPoint p = to_homogeneous(scene.view, vertices[i]);
+    for (int plane = 0; plane < ClipVolume::kPlanes; ++plane) {
+      if (volume.distance(plane, p) < 0) placed.outside[i] |= static_cast<std::uint8_t>(1 << plane);
     }
+    if (!placed.outside[i]) page.vertices[i] = {page.lattice.snap({p.x / p.w, p.y / p.w}), p.z / p.w};
   });
   page.triangles = triangulate_faces(*scene.model);
   return placed;

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/hash.hpp"
-#include "base/parallel.hpp"
+#include "base/parallel_each.hpp"
 #include "view/clip.hpp"
 #include "view/edge_classes.hpp"
 #include "view/edge_on.hpp"
@@ -134,21 +134,19 @@ void PageLayers::add_depths(const StreamFacet& facet) {
 }
 
 void PageLayers::find_layers() {
-  parallel_blocks(of_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      std::uint64_t left = of_[i].slices.load(kRelaxed), ends = 0;
-      for (int layer = 0; layer < 2; ++layer) {
-        std::uint64_t last = kNoSlice;
-        if (left != 0) {
-          const int first = std::countr_zero(left);
-          const int length = std::countr_one(left >> first);
-          last = static_cast<std::uint64_t>(first + length - 1);
-          left = last == kSlices - 1 ? 0 : left >> (last + 1) << (last + 1);
-        }
-        ends |= last << (8 * layer);
+  parallel_each(of_.size(), [&](std::size_t i) {
+    std::uint64_t left = of_[i].slices.load(kRelaxed), ends = 0;
+    for (int layer = 0; layer < 2; ++layer) {
+      std::uint64_t last = kNoSlice;
+      if (left != 0) {
+        const int first = std::countr_zero(left);
+        const int length = std::countr_one(left >> first);
+        last = static_cast<std::uint64_t>(first + length - 1);
+        left = last == kSlices - 1 ? 0 : left >> (last + 1) << (last + 1);
       }
-      of_[i].slices.store(ends, kRelaxed);
+      ends |= last << (8 * layer);
     }
+    of_[i].slices.store(ends, kRelaxed);
   });
 }
 
@@ -172,19 +170,17 @@ void PageLayers::add(const StreamFacet& facet) {
 
 void PageLayers::find_covers(bool blanks, double crease_cosine) {
   blank_.assign(of_.size(), 0);
-  parallel_blocks(of_.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      Square& square = of_[i];
-      std::uint8_t cover = kNoSlice;
-      for (std::size_t layer = 2; layer-- > 0;) {
-        if (square.sum[layer].load(kRelaxed) == 0 && square.over[layer].load(kRelaxed) > 0) {
-          cover = layer_end(square, static_cast<int>(layer));
-        }
+  parallel_each(of_.size(), [&](std::size_t i) {
+    Square& square = of_[i];
+    std::uint8_t cover = kNoSlice;
+    for (std::size_t layer = 2; layer-- > 0;) {
+      if (square.sum[layer].load(kRelaxed) == 0 && square.over[layer].load(kRelaxed) > 0) {
+        cover = layer_end(square, static_cast<int>(layer));
       }
-      const bool once = square.sum[0].load(kRelaxed) == 0 && square.over[0].load(kRelaxed) == 1;
-      blank_[i] = blanks && once && look_alike(square.looks.load(kRelaxed), crease_cosine);
-      square.slices.store(cover, kRelaxed);
     }
+    const bool once = square.sum[0].load(kRelaxed) == 0 && square.over[0].load(kRelaxed) == 1;
+    blank_[i] = blanks && once && look_alike(square.looks.load(kRelaxed), crease_cosine);
+    square.slices.store(cover, kRelaxed);
   });
 }
 

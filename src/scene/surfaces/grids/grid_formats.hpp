@@ -78,6 +78,9 @@ bool has_even_steps(std::span<const double> values, std::size_t columns, std::si
 std::unique_ptr<HeightSource> series_of_rows(std::span<const double> values, std::size_t columns, const std::string& name,
                                              Warnings& warnings);
 
+/// 1 if the numbers ascend, -1 if they descend, 0 otherwise.
+int direction_of(const std::vector<double>& at);
+
 /// Makes heights given row by row at ascending or descending positions. Throws InputError for other positions.
 std::unique_ptr<HeightSource> heights_over(std::vector<double> x, std::vector<double> y, std::vector<double> z,
                                            const std::string& name);

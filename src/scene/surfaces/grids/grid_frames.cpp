@@ -9,16 +9,6 @@
 namespace ligne {
 namespace {
 
-/// 1 if the numbers ascend, -1 if they descend, 0 otherwise.
-int direction_of(const std::vector<double>& at) {
-  if (at.size() < 2 || at[0] == at[1]) return 0;
-  const bool up = at[0] < at[1];
-  for (std::size_t i = 1; i < at.size(); ++i) {
-    if (up ? !(at[i - 1] < at[i]) : !(at[i - 1] > at[i])) return 0;
-  }
-  return up ? 1 : -1;
-}
-
 /// The numbers of the first column, or the numbers of its months.
 std::vector<double> first_column(const Table& table, RowRange rows) {
   std::vector<double> at;
@@ -43,20 +33,20 @@ std::vector<double> heights_behind(const Table& table, RowRange rows, Warnings& 
 
 }  // namespace
 
+int direction_of(const std::vector<double>& at) {
+  if (at.size() < 2 || at[0] == at[1]) return 0;
+  const bool up = at[0] < at[1];
+  for (std::size_t i = 1; i < at.size(); ++i) {
+    if (up ? !(at[i - 1] < at[i]) : !(at[i - 1] > at[i])) return 0;
+  }
+  return up ? 1 : -1;
+}
+
 std::unique_ptr<HeightSource> heights_over(std::vector<double> x, std::vector<double> y, std::vector<double> z,
                                            const std::string& name) {
   SampleOrder order = SampleOrder::first_row_lowest(x.size());
-  const auto columns = static_cast<std::ptrdiff_t>(x.size()), rows = static_cast<std::ptrdiff_t>(y.size());
-  if (direction_of(x) < 0) {
-    std::reverse(x.begin(), x.end());
-    order.begin += columns - 1;
-    order.step_x = -1;
-  }
-  if (direction_of(y) < 0) {
-    std::reverse(y.begin(), y.end());
-    order.begin += (rows - 1) * order.step_y;
-    order.step_y = -order.step_y;
-  }
+  if (direction_of(x) < 0) order.turn(x, &SampleOrder::step_x);
+  if (direction_of(y) < 0) order.turn(y, &SampleOrder::step_y);
   return held_heights(std::move(x), std::move(y), std::move(z), order, name);
 }
 

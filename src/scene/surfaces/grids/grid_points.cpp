@@ -112,16 +112,9 @@ class PointGrid {
     if (outer_axis_ == 1) std::swap(order.step_x, order.step_y);
     std::vector<double> x = outer_axis_ == 0 ? std::move(outer_) : std::move(inner_);
     std::vector<double> y = outer_axis_ == 0 ? std::move(inner_) : std::move(outer_);
-    turn_to_ascend(x, order.begin, order.step_x);
-    turn_to_ascend(y, order.begin, order.step_y);
+    if (x.front() > x.back()) order.turn(x, &SampleOrder::step_x);
+    if (y.front() > y.back()) order.turn(y, &SampleOrder::step_y);
     return held_heights(std::move(x), std::move(y), std::move(z), order, name_);
-  }
-
-  static void turn_to_ascend(std::vector<double>& positions, std::ptrdiff_t& begin, std::ptrdiff_t& step) {
-    if (positions.size() < 2 || positions.front() < positions.back()) return;
-    std::reverse(positions.begin(), positions.end());
-    begin += (static_cast<std::ptrdiff_t>(positions.size()) - 1) * step;
-    step = -step;
   }
 
   PointRows rows_;

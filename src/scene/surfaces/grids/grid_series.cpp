@@ -59,10 +59,7 @@ std::unique_ptr<HeightSource> series_of_rows(std::span<const double> values, std
                                              Warnings& warnings) {
   std::vector<double> y, z;
   for (std::size_t k = 0; k < values.size(); ++k) (k % columns == 0 ? y : z).push_back(values[k]);
-  const bool ascends = y.size() > 1 && y[0] < y[1];
-  for (std::size_t row = 1; row < y.size(); ++row) {
-    if (!(ascends ? y[row - 1] < y[row] : y[row - 1] > y[row])) return nullptr;
-  }
+  if (y.size() > 1 && direction_of(y) == 0) return nullptr;
   drop_missing_values(z, 1, warnings);
   return heights_over(counted_positions(columns - 1), std::move(y), std::move(z), name);
 }

@@ -25,18 +25,11 @@ bool runs_along(Point2 direction, int axis) {
   return std::abs(direction[1 - axis]) <= kAlongAxis * std::abs(direction[axis]);
 }
 
-/// n ascending positions. If the step is negative, they are in reverse order.
+/// n positions.
 std::vector<double> steps(double place, double pixel, double sample_at, double step, std::size_t n) {
   std::vector<double> at(n);
   for (std::size_t i = 0; i < n; ++i) at[i] = place + (static_cast<double>(i) + sample_at - pixel) * step;
-  if (step < 0) std::reverse(at.begin(), at.end());
   return at;
-}
-
-/// Sets the order of samples on an axis of the file: `stride` apart, reversed if positions descend in the file.
-void order_axis(double step, std::size_t n, std::ptrdiff_t stride, std::ptrdiff_t& begin, std::ptrdiff_t& along) {
-  along = step < 0 ? -stride : stride;
-  if (step < 0) begin += (static_cast<std::ptrdiff_t>(n) - 1) * stride;
 }
 
 std::optional<std::vector<double>> numbers_in(std::string_view text) {
@@ -83,11 +76,12 @@ std::optional<RasterPlacement> place_raster(const RasterTransform& transform, st
   }
   of_columns = steps(at[column_axis], pixel.x, transform.sample_at, column_step, columns);
   of_rows = steps(at[row_axis], pixel.y, transform.sample_at, row_step, rows);
-  SampleOrder& order = placed.order;
-  order.begin = 0;
-  order_axis(column_step, columns, 1, order.begin, column_axis == 0 ? order.step_x : order.step_y);
-  order_axis(row_step, rows, static_cast<std::ptrdiff_t>(columns), order.begin,
-             column_axis == 0 ? order.step_y : order.step_x);
+  const auto step_along = [](int axis) { return axis == 0 ? &SampleOrder::step_x : &SampleOrder::step_y; };
+  placed.order.begin = 0;
+  placed.order.*step_along(column_axis) = 1;
+  placed.order.*step_along(row_axis) = static_cast<std::ptrdiff_t>(columns);
+  if (column_step < 0) placed.order.turn(of_columns, step_along(column_axis));
+  if (row_step < 0) placed.order.turn(of_rows, step_along(row_axis));
   return placed;
 }
 
