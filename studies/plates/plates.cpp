@@ -26,7 +26,7 @@ constexpr double kPlatePen = 0.35;
 Scene scene_of(std::string_view json) {
   ReadReport report;
   Warnings warnings;
-  Scene scene = read_ligne_scene(std::as_bytes(std::span(json)), "plate", report, warnings);
+  Scene scene = read_ligne_scene({{std::as_bytes(std::span(json)), "plate"}, report, warnings});
   finish(scene);
   return scene;
 }

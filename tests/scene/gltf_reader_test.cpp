@@ -18,11 +18,7 @@ TEST(GltfReader, TransformsScaleThePrecision) {
   Builder b = square();
   b.root["nodes"][0]["rotation"] = {0, 0, std::sqrt(0.5), std::sqrt(0.5)};
   b.root["nodes"][0]["scale"] = {2, 3, 1};
-  const Result read = read_raw(
-      [](auto bytes, auto&, auto& report, auto& warnings) {
-        return read_gltf({bytes, "M"}, false, report, warnings);
-      },
-      b.text());
+  const Result read = read_raw([](const ModelReading& in) { return read_gltf(in, false); }, b.text());
   EXPECT_NEAR(read.scene.objects[0].precision, 3 * std::numeric_limits<float>::epsilon() / 2, 1e-13);
 }
 
@@ -33,7 +29,7 @@ TEST(GltfModels, DracoEngine) {
   ReadReport report;
   Warnings warnings;
   const auto read = [&] {
-    return read_gltf({std::as_bytes(std::span(bytes)), "M", file.parent_path()}, false, report, warnings);
+    return read_gltf({{std::as_bytes(std::span(bytes)), "M", file.parent_path()}, report, warnings}, false);
   };
 #ifdef LIGNE_HAVE_DRACO
   Scene scene = read();
@@ -56,7 +52,7 @@ TEST(GltfModels, DracoEngine) {
 std::string error_of(const std::string& bytes, bool binary = false) {
   ReadReport report;
   Warnings warnings;
-  return reader_test::error_line([&] { read_gltf({std::as_bytes(std::span(bytes)), "M"}, binary, report, warnings); });
+  return reader_test::error_line([&] { read_gltf({{std::as_bytes(std::span(bytes)), "M"}, report, warnings}, binary); });
 }
 
 TEST(GltfHostile, DeepNodes) {

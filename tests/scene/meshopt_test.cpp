@@ -133,7 +133,7 @@ TEST(Meshopt, ViewOfAFile) {
     ReadReport report;
     Warnings warnings;
     const std::string text = root.dump();
-    return read_gltf({std::as_bytes(std::span(text)), "M"}, false, report, warnings);
+    return read_gltf({{std::as_bytes(std::span(text)), "M"}, report, warnings}, false);
   };
   EXPECT_EQ(read().vertices, std::vector<Point3>(3, Point3(0, 0, 3)));
   root["bufferViews"][0]["extensions"]["EXT_meshopt_compression"]["count"] = 4;

@@ -173,28 +173,28 @@ class ReaderScript {
     const auto bytes = bytes_of(text_);
     const bool is_file = kind_.starts_with("file.");
     ReadReport report;
-    if (kind_ == "asc") scene_ = read_asc(bytes, "M", report, warnings_);
-    if (kind_ == "obj") scene_ = read_obj({bytes, "M", folder_}, report, warnings_);
+    if (kind_ == "asc") scene_ = read_asc({{bytes, "M"}, report, warnings_});
+    if (kind_ == "obj") scene_ = read_obj({{bytes, "M", folder_}, report, warnings_});
     if (kind_ == "subdivided") {
       const ReadOptions options{.shading = true, .subdivision = Subdivision{SubdivisionScheme::catmull_clark, 3}};
       scene_ = read_scene({bytes, "M"}, ModelFormat::obj, options, warnings_, &report);
     }
-    if (kind_ == "off") scene_ = read_off(bytes, "M", report, warnings_);
-    if (kind_ == "ply") scene_ = read_ply(bytes, "M", report, warnings_);
-    if (kind_ == "stl") scene_ = read_stl_ascii(bytes, "M", report, warnings_);
-    if (kind_ == "binary-stl") scene_ = read_stl_binary(bytes, "M", report, warnings_);
+    if (kind_ == "off") scene_ = read_off({{bytes, "M"}, report, warnings_});
+    if (kind_ == "ply") scene_ = read_ply({{bytes, "M"}, report, warnings_});
+    if (kind_ == "stl") scene_ = read_stl_ascii({{bytes, "M"}, report, warnings_});
+    if (kind_ == "binary-stl") scene_ = read_stl_binary({{bytes, "M"}, report, warnings_});
     FileShading shading;
-    if (kind_ == "3ds") scene_ = read_3ds(bytes, "M", report, warnings_, &shading);
-    if (kind_ == "scene") scene_ = read_ligne_scene(bytes, "M", report, warnings_);
+    if (kind_ == "3ds") scene_ = read_3ds({{bytes, "M"}, report, warnings_, &shading});
+    if (kind_ == "scene") scene_ = read_ligne_scene({{bytes, "M"}, report, warnings_});
     if (kind_ == "gltf" || kind_.starts_with("triangle")) {
       const std::string text = gltf_test::changed(kind_ == "gltf" ? gltf_test::square() : gltf_test::triangle(), text_);
-      scene_ = read_gltf({bytes_of(text), "M", folder_}, false, report, warnings_, nullptr, pose());
+      scene_ = read_gltf({{bytes_of(text), "M", folder_}, report, warnings_, nullptr, nullptr, false, pose()}, false);
     }
     if (kind_ == "3mf") {
       const std::string archive = zip_test::three_mf(text_);
-      scene_ = read_three_mf(bytes_of(archive), "M", report, warnings_);
+      scene_ = read_three_mf({{bytes_of(archive), "M"}, report, warnings_});
     }
-    if (kind_ == "json") scene_ = read_gltf({bytes, "M"}, false, report, warnings_);
+    if (kind_ == "json") scene_ = read_gltf({{bytes, "M"}, report, warnings_}, false);
     if (is_file) scene_ = read_scene({bytes, "M"}, detect_format(bytes, kind_.substr(4), "M"), {}, warnings_, &report);
     if (kind_ == "model") scene_ = read_scene(LIGNE_MODELS_DIR "/" + text_, {}, warnings_, &report);
     if (is_grid()) {

@@ -75,12 +75,7 @@ TEST(Precision, OfCoordinatesRoundedToDecimals) {
 
 // Large binary PLY files, whose triangles are read in blocks.
 
-/// Without shading.
-Scene plain_ply(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings) {
-  return read_ply(bytes, name, report, warnings);
-}
-
-std::string ply_error(const std::string& text) { return error_of(plain_ply, text); }
+std::string ply_error(const std::string& text) { return error_of(read_ply, text); }
 
 std::string header(const std::string& format, const std::string& vertices, const std::string& faces) {
   return "ply\nformat " + format + " 1.0\ncomment made by hand\nelement vertex " + vertices +
@@ -113,9 +108,9 @@ std::string strip_ply(std::endian order, std::uint32_t count, const std::vector<
 TEST(PlyReader, BlocksOfTrianglesAreAsItemsOneByOne) {
   constexpr std::uint32_t kCount = 40'000;  // several blocks
   for (const std::endian order : {std::endian::little, std::endian::big}) {
-    const Result blocks = read_raw(plain_ply, strip_ply(order, kCount, {0, 1, 3}));
+    const Result blocks = read_raw(read_ply, strip_ply(order, kCount, {0, 1, 3}));
     // A face of four corners has all read one by one.
-    const Result items = read_raw(plain_ply, strip_ply(order, kCount, {0, 1, 3, 2}));
+    const Result items = read_raw(read_ply, strip_ply(order, kCount, {0, 1, 3, 2}));
     EXPECT_TRUE(blocks.scene.faces.all_triangles());
     EXPECT_FALSE(items.scene.faces.all_triangles());
     EXPECT_EQ(blocks.scene.vertices, items.scene.vertices);
@@ -151,14 +146,10 @@ TEST(PlyReader, WhatIsAmissInBlocksIsNamed) {
 
 // Text formats; faults that all formats can have: scripts/faults.txt. Numbers and free-form surfaces of OBJ files.
 
-Scene plain(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings) {
-  return read_obj({bytes, name}, report, warnings);
-}
-
 TEST(ObjReader, NumbersAreRoundedCorrectly) {
   for (const std::string word :
        {"0.1234567890123456", "-149.29088", "123456.789012", "1e-3", "+2.5", "5e-324", "1e-400", ".5", "7."}) {
-    const Result r = read_raw(plain, "v " + word + " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const Result r = read_raw(read_obj, "v " + word + " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     EXPECT_EQ(r.scene.vertices[0].x, std::strtod(word.c_str(), nullptr)) << word;
   }
 }
@@ -172,7 +163,7 @@ TEST(ObjReader, KnowsFloat32NumbersOfDifferentSizes) {
     text += line.data();
     face += " " + std::to_string(i);
   }
-  EXPECT_EQ(read_raw(plain, text + face + "\n").scene.objects[0].precision, half_ulp_float32(150));
+  EXPECT_EQ(read_raw(read_obj, text + face + "\n").scene.objects[0].precision, half_ulp_float32(150));
 }
 
 /// A quarter of a cylinder as a rational patch: its points lie on the circle.
@@ -180,7 +171,7 @@ TEST(ObjSurfaces, RationalBSplineIsACylinder) {
   const std::string text =
       "v 1 0 0\nv 1 1 0 0.70710678118654757\nv 0 1 0\nv 1 0 2\nv 1 1 2 0.70710678118654757\nv 0 1 2\n"
       "cstype rat bspline\ndeg 2 1\nsurf 0 1 0 1 1 2 3 -3 -2 -1\nparm u 0 0 0 1 1 1\nparm v 0 0 1 1\nend\n";
-  const Result r = read_raw(plain, text);
+  const Result r = read_raw(read_obj, text);
   EXPECT_EQ(r.scene.faces.size(), 2u * 12);
   for (const Point3& p : r.scene.vertices) EXPECT_NEAR(std::hypot(p.x, p.y), 1, 1e-15);
 }

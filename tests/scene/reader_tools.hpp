@@ -1,6 +1,7 @@
 #pragma once
 /// Tools that the tests of the readers share.
 
+#include "scene/readers/format_readers.hpp"
 #include "scene/readers/reader.hpp"
 #include "support/test.hpp"
 
@@ -9,7 +10,7 @@ namespace ligne::reader_test {
 inline std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
 
 /// A reader's shape.
-using Reader = Scene (*)(std::span<const std::byte>, const std::string&, ReadReport&, Warnings&);
+using Reader = Scene (*)(const ModelReading&);
 
 struct Result {
   Scene scene;
@@ -20,7 +21,7 @@ struct Result {
 /// Reads with one reader, without cleaning.
 inline Result read_raw(Reader reader, const std::string& text) {
   Result result;
-  result.scene = reader(bytes_of(text), "M", result.report, result.warnings);
+  result.scene = reader({{bytes_of(text), "M"}, result.report, result.warnings});
   return result;
 }
 

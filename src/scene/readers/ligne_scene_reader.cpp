@@ -274,9 +274,10 @@ class SceneReader {
 
 }  // namespace
 
-Scene read_ligne_scene(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings&) {
-  const json document = parse_json(as_text(bytes, name), name);
-  return SceneReader(Node(document, "", name), name, report).read();
+Scene read_ligne_scene(const ModelReading& in) {
+  const std::string& name = in.file.name;
+  const json document = parse_json(as_text(in.file.bytes, name), name);
+  return SceneReader(Node(document, "", name), name, in.report).read();
 }
 
 }  // namespace ligne

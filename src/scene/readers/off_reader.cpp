@@ -19,8 +19,8 @@ namespace {
 
 class OffReader {
  public:
-  OffReader(std::string_view text, const std::string& name, ReadReport& report, Warnings& warnings)
-      : lines_(text), name_(name), warnings_(warnings), builder_(name, report), report_(report) {}
+  explicit OffReader(const ModelReading& in)
+      : lines_(as_text(in.file.bytes, in.file.name)), in_(in), builder_(in.file.name, in.report) {}
 
   Scene read() {
     read_counts();
@@ -29,13 +29,13 @@ class OffReader {
     for (std::int64_t i = 0; i < faces_; ++i) read_face();
     if (next_line(false)) throw error("more lines than the header declares vertices and faces");
     builder_.end_object(precision_.value());
-    report_.vertices += static_cast<std::size_t>(vertices_);
-    return builder_.finish(Axis::z, warnings_.left_out());
+    in_.report.vertices += static_cast<std::size_t>(vertices_);
+    return builder_.finish(Axis::z, in_.warnings.left_out());
   }
 
  private:
   InputError error(const std::string& cause) const {
-    return error_at_line(name_, std::max<std::size_t>(lines_.number(), 1), cause);
+    return error_at_line(in_.file.name, std::max<std::size_t>(lines_.number(), 1), cause);
   }
 
   /// Reads the next line that is not blank and not just a comment.
@@ -106,7 +106,7 @@ class OffReader {
     // face.
     if (lines_.number() != first_line && !trimmed(line_).empty())
       throw error("face from line " + std::to_string(first_line) + " on ends within this line");
-    if (n < 3) return warnings_.leave_out(n == 2 ? "faces of two corners" : "faces of less than two corners");
+    if (n < 3) return in_.warnings.leave_out(n == 2 ? "faces of two corners" : "faces of less than two corners");
     use_color();
     builder_.add_face(corners_);
   }
@@ -124,7 +124,7 @@ class OffReader {
     }
     if (n == 0) return builder_.use_material(kNone);
     if (n < 3) {
-      warnings_.leave_out("numbered colours");
+      in_.warnings.leave_out("numbered colours");
       return builder_.use_material(kNone);
     }
     const double most = whole ? 255 : 1;
@@ -145,10 +145,8 @@ class OffReader {
   }
 
   LineReader lines_;
-  const std::string& name_;
-  Warnings& warnings_;
+  const ModelReading& in_;
   SceneBuilder builder_;
-  ReadReport& report_;
   std::string_view line_;
   std::int64_t vertices_ = 0, faces_ = 0;
   std::vector<std::uint32_t> corners_;
@@ -166,8 +164,6 @@ bool is_off_word(std::string_view word) {
   return word.empty();
 }
 
-Scene read_off(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings) {
-  return OffReader(as_text(bytes, name), name, report, warnings).read();
-}
+Scene read_off(const ModelReading& in) { return OffReader(in).read(); }
 
 }  // namespace ligne

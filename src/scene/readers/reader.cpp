@@ -83,44 +83,22 @@ void weld_and_finish(Scene& scene, const ReadOptions& options, VertexFacts facts
   if (options.merge_coplanar) merge_coplanar_faces(scene);
 }
 
-/// Receivers of the data in a file beside its faces; null if not requested.
-struct FileMarks {
-  FileShading* shading;
-  CreaseTags* tags;
-};
-
-Scene read_raw(const ModelBytes& file, ModelFormat format, const ReadOptions& options, ReadReport& report,
-               Warnings& warnings, const FileMarks& marks) {
-  const std::span<const std::byte> bytes = file.bytes;
-  const std::string& name = file.name;
-  FileShading* const shading = marks.shading;
-  switch (format) {
-    case ModelFormat::gltf:
-      return read_gltf(file, false, report, warnings, shading, options.pose);
-    case ModelFormat::glb:
-      return read_gltf(file, true, report, warnings, shading, options.pose);
-    case ModelFormat::obj:
-      return read_obj(file, report, warnings, shading, options.groups, marks.tags);
-    case ModelFormat::stl_ascii:
-      return read_stl_ascii(bytes, name, report, warnings);
-    case ModelFormat::stl_binary:
-      return read_stl_binary(bytes, name, report, warnings);
-    case ModelFormat::ply:
-      return read_ply(bytes, name, report, warnings, shading);
-    case ModelFormat::asc_3d_studio:
-      return read_asc(bytes, name, report, warnings, shading);
-    case ModelFormat::three_ds:
-      return read_3ds(bytes, name, report, warnings, shading);
-    case ModelFormat::off:
-      return read_off(bytes, name, report, warnings);
-    case ModelFormat::three_mf:
-      return read_three_mf(bytes, name, report, warnings);
-    case ModelFormat::ligne_tree:
-      throw InputError(name, "a compiled model is read by the programs that draw it");
-    case ModelFormat::ligne_scene:
-      break;
-  }
-  return read_ligne_scene(bytes, name, report, warnings);
+Scene read_raw(const ModelReading& in, ModelFormat format) {
+  using Reader = Scene (*)(const ModelReading&);
+  constexpr Reader kReaders[] = {[](const ModelReading& text) { return read_gltf(text, false); },
+                                 [](const ModelReading& glb) { return read_gltf(glb, true); },
+                                 read_obj,
+                                 read_stl_ascii,
+                                 read_stl_binary,
+                                 read_ply,
+                                 read_asc,
+                                 read_3ds,
+                                 read_off,
+                                 read_three_mf,
+                                 read_ligne_scene};
+  if (format == ModelFormat::ligne_tree)
+    throw InputError(in.file.name, "a compiled model is read by the programs that draw it");
+  return kReaders[static_cast<std::size_t>(format)](in);
 }
 
 /// Appends `extra` to `values`, each plus `offset`. An empty list represents as many zeros as its size argument says.
@@ -156,8 +134,9 @@ Scene read_scene(const ModelBytes& file, ModelFormat format, const ReadOptions& 
   FileShading shading;
   VertexFacts facts;
   const bool with_shading = options.shading || options.subdivision;
-  Scene scene = read_raw(file, format, options, counts, warnings,
-                         {with_shading ? &shading : nullptr, options.subdivision ? &facts.tags : nullptr});
+  Scene scene = read_raw({file, counts, warnings, with_shading ? &shading : nullptr,
+                          options.subdivision ? &facts.tags : nullptr, options.groups, options.pose},
+                         format);
   if (scene.faces.empty()) throw InputError(name, no_faces(warnings.left_out()));
   check_size(scene, name);
   if (with_shading) facts.weld = mark_smooth_edges(scene, shading);

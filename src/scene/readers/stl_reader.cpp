@@ -159,9 +159,9 @@ bool is_binary_stl(std::span<const std::byte> bytes) {
   return bytes.size() >= kPreambleBytes && bytes.size() == kPreambleBytes + kTriangleBytes * stl_triangle_count(bytes);
 }
 
-Scene read_stl_ascii(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings) {
-  Words words(as_text(bytes, name), name);
-  SceneBuilder builder(name, report);
+Scene read_stl_ascii(const ModelReading& in) {
+  Words words(as_text(in.file.bytes, in.file.name), in.file.name);
+  SceneBuilder builder(in.file.name, in.report);
   for (;;) {
     const std::string_view begin = words.take();
     if (begin.empty()) break;
@@ -177,9 +177,9 @@ Scene read_stl_ascii(std::span<const std::byte> bytes, const std::string& name, 
         break;
       }
       if (equal_ignoring_case(word, "facet")) {
-        read_facet(words, builder, precision, warnings);
+        read_facet(words, builder, precision, in.warnings);
       } else if (is_foreign(word)) {
-        warnings.leave_out("statements " + shown(word));
+        in.warnings.leave_out("statements " + shown(word));
         words.take_rest_of_line();
       } else {
         throw words.error("expected 'facet' or 'endsolid', found " + shown(word));
@@ -188,11 +188,12 @@ Scene read_stl_ascii(std::span<const std::byte> bytes, const std::string& name, 
     words.take_rest_of_line();
     builder.end_object(precision.value());
   }
-  report.vertices += 3 * report.faces;
-  return builder.finish(Axis::z, warnings.left_out());
+  in.report.vertices += 3 * in.report.faces;
+  return builder.finish(Axis::z, in.warnings.left_out());
 }
 
-Scene read_stl_binary(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings) {
+Scene read_stl_binary(const ModelReading& in) {
+  const auto& [bytes, name, folder] = in.file;
   if (bytes.size() < kPreambleBytes) {
     throw InputError(name, "binary STL of " + std::to_string(bytes.size()) + " bytes, shorter than its header of 84");
   }
@@ -205,8 +206,8 @@ Scene read_stl_binary(std::span<const std::byte> bytes, const std::string& name,
                                std::to_string(bytes.size()));
   }
   const std::size_t extra = bytes.size() - kPreambleBytes - kTriangleBytes * n;
-  if (extra > 0) warnings.leave_out("bytes behind the triangles", extra);
-  SceneBuilder builder(name, report);
+  if (extra > 0) in.warnings.leave_out("bytes behind the triangles", extra);
+  SceneBuilder builder(name, in.report);
   builder.begin_object("");
   const std::span<Point3> vertices = builder.add_vertices(3 * n);
   std::vector<std::uint32_t> corners = large_vector<std::uint32_t>(3 * n);
@@ -218,8 +219,8 @@ Scene read_stl_binary(std::span<const std::byte> bytes, const std::string& name,
   }
   builder.add_triangles(std::move(corners));
   builder.end_object(half_ulp_float32(found.largest));
-  report.vertices += 3 * n;
-  return builder.finish(Axis::z, warnings.left_out());
+  in.report.vertices += 3 * n;
+  return builder.finish(Axis::z, in.warnings.left_out());
 }
 
 }  // namespace ligne

@@ -38,8 +38,8 @@ constexpr double kTransformRoundings = 4;
 
 class Reader {
  public:
-  Reader(GltfDocument& document, Warnings& warnings, FileShading* shading)
-      : document_(document), model_(document.model), warnings_(warnings), shading_(shading) {}
+  Reader(GltfDocument& document, const ModelReading& in)
+      : document_(document), model_(document.model), warnings_(in.warnings), shading_(in.shading) {}
 
   Scene run(ReadReport& report) {
     nodes_ = list_nodes(document_);
@@ -360,13 +360,12 @@ class Reader {
 
 }  // namespace
 
-Scene read_gltf(const ModelBytes& file, bool binary, ReadReport& report, Warnings& warnings, FileShading* shading,
-                const std::optional<ScenePose>& pose) {
-  GltfDocument document = open_gltf(file.bytes, binary, file.folder, file.name);
-  if (pose) apply_pose(document, *pose);
-  report.format = binary ? ModelFormat::glb : ModelFormat::gltf;
-  report.files = document.buffers.files();
-  return Reader(document, warnings, shading).run(report);
+Scene read_gltf(const ModelReading& in, bool binary) {
+  GltfDocument document = open_gltf(in.file.bytes, binary, in.file.folder, in.file.name);
+  if (in.pose) apply_pose(document, *in.pose);
+  in.report.format = binary ? ModelFormat::glb : ModelFormat::gltf;
+  in.report.files = document.buffers.files();
+  return Reader(document, in).run(in.report);
 }
 
 }  // namespace ligne

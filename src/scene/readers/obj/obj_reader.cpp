@@ -19,8 +19,8 @@ namespace {
 /// Makes objects of the statements. Objects own their vertices: a vertex used by several is stored in each.
 class ObjScene {
  public:
-  ObjScene(const std::string& name, ReadReport& report, ObjStatements& stream, FileShading* shading, CreaseTags* tags)
-      : builder_(name, report), stream_(stream), shading_(shading), tags_(tags) {
+  ObjScene(const ModelReading& in, ObjStatements& stream)
+      : builder_(in.file.name, in.report), stream_(stream), shading_(in.shading), tags_(in.tags) {
     builder_.begin_object("");
   }
 
@@ -139,12 +139,11 @@ class ObjScene {
 
 }  // namespace
 
-Scene read_obj(const ModelBytes& file, ReadReport& report, Warnings& warnings, FileShading* shading, bool groups_as_objects,
-               CreaseTags* tags) {
-  const std::string& name = file.name;
-  ObjStatements statements(as_text(file.bytes, name), name, shading != nullptr, groups_as_objects, warnings);
-  ObjScene scene(name, report, statements, shading, tags);
-  statements.tags = tags;
+Scene read_obj(const ModelReading& in) {
+  const std::string& name = in.file.name;
+  ObjStatements statements(as_text(in.file.bytes, name), name, in.shading != nullptr, in.groups_as_objects, in.warnings);
+  ObjScene scene(in, statements);
+  statements.tags = in.tags;
   statements.on_patch = [&](const ObjPatch& patch) { scene.add_patch(patch); };
   statements.on_face = [&](std::span<const ObjCorner> corners) { scene.add_face(corners); };
   statements.on_object = [&](const std::string& object) { scene.begin_object(object); };
@@ -156,10 +155,10 @@ Scene read_obj(const ModelBytes& file, ReadReport& report, Warnings& warnings, F
     throw InputError(
         name, "is not an OBJ file: no line is a vertex (v), and the first one is " + shown(statements.first_unknown()));
   }
-  report.vertices += statements.vertices().size();
-  report.groups = statements.groups();
-  Scene read = scene.finish(warnings);
-  apply_libraries(statements.libraries(), file.folder, read.materials, report.files, warnings);
+  in.report.vertices += statements.vertices().size();
+  in.report.groups = statements.groups();
+  Scene read = scene.finish(in.warnings);
+  apply_libraries(statements.libraries(), in.file.folder, read.materials, in.report.files, in.warnings);
   return read;
 }
 

@@ -33,15 +33,8 @@ namespace {
 template <typename Data>
 class PlyReader {
  public:
-  PlyReader(const PlyHeader& header, Data data, const std::string& name, ReadReport& report, Warnings& warnings,
-            FileShading* shading)
-      : header_(header),
-        data_(std::move(data)),
-        name_(name),
-        report_(report),
-        warnings_(warnings),
-        builder_(name, report),
-        shading_(shading) {}
+  PlyReader(const PlyHeader& header, Data data, const ModelReading& in)
+      : header_(header), data_(std::move(data)), in_(in), builder_(in.file.name, in.report) {}
 
   Scene read() {
     check_elements();
@@ -58,15 +51,15 @@ class PlyReader {
         leave_out(element);
     }
     data_.end();
-    for (const std::string& remark : header_.remarks) warnings_.leave_out("header lines " + shown(remark));
+    for (const std::string& remark : header_.remarks) in_.warnings.leave_out("header lines " + shown(remark));
     check_indices();
-    if (shading_ && !normals_.empty()) {
+    if (in_.shading && !normals_.empty()) {
       for (const std::uint32_t v : std::as_const(builder_.scene().faces).corners()) {
-        shading_->corner_normals.push_back(normals_[v]);
+        in_.shading->corner_normals.push_back(normals_[v]);
       }
     }
     builder_.end_object(precision());
-    return builder_.finish(Axis::z, warnings_.left_out());
+    return builder_.finish(Axis::z, in_.warnings.left_out());
   }
 
  private:
@@ -80,17 +73,17 @@ class PlyReader {
     };
     for (const char* axis : {"x", "y", "z"}) {
       if (!has("vertex", {axis}, false))
-        throw InputError(name_, "PLY header declares no " + std::string(axis) + " of vertices");
+        throw InputError(in_.file.name, "PLY header declares no " + std::string(axis) + " of vertices");
     }
     bool any = false;
     for (const char* element : {"face", "tristrips"}) {
       if (std::ranges::find(header_.elements, element, &PlyElement::name) == header_.elements.end()) continue;
       any = true;
       if (has(element, {"vertex_indices", "vertex_index"}, true)) continue;
-      throw InputError(name_, std::string("PLY header declares no list vertex_indices of ") +
-                                  (element == std::string_view("face") ? "faces" : element));
+      throw InputError(in_.file.name, std::string("PLY header declares no list vertex_indices of ") +
+                                          (element == std::string_view("face") ? "faces" : element));
     }
-    if (!any) throw InputError(name_, no_faces(others()));
+    if (!any) throw InputError(in_.file.name, no_faces(others()));
   }
 
   /// Elements of the header that do not belong to a surface.
@@ -114,7 +107,7 @@ class PlyReader {
   }
 
   void leave_out(const PlyElement& element) {
-    warnings_.leave_out("items of element " + element.name, element.count);
+    in_.warnings.leave_out("items of element " + element.name, element.count);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       data_.begin_item(element, i);
       for (const PlyProperty& property : element.properties) pass_over(property);
@@ -126,11 +119,11 @@ class PlyReader {
     const std::array axes{element.find({"x"}), element.find({"y"}), element.find({"z"})};
     const std::size_t none = element.properties.size();
     const std::array normal_axes{element.find({"nx"}), element.find({"ny"}), element.find({"nz"})};
-    const bool with_normals = shading_ && std::ranges::all_of(normal_axes, [&](std::size_t p) {
+    const bool with_normals = in_.shading && std::ranges::all_of(normal_axes, [&](std::size_t p) {
                                 return p < none && !element.properties[p].is_list;
                               });
     for (const std::size_t p : axes) is_float32_ = is_float32_ || element.properties[p].type == NumberType::float32;
-    report_.vertices += element.count;
+    in_.report.vertices += element.count;
     if (!with_normals && read_vertex_records(element, axes)) return;
     for (std::uint64_t i = 0; i < element.count; ++i) {
       data_.begin_item(element, i);
@@ -264,7 +257,7 @@ class PlyReader {
     for (std::size_t f = 0; f < scene.faces.size(); ++f) {
       for (const std::uint32_t v : scene.faces.contour(f, 0)) {
         if (v >= n) {
-          throw InputError(name_,
+          throw InputError(in_.file.name,
                            "face " + std::to_string(f) + " names vertex " + std::to_string(v) + " of " + std::to_string(n));
         }
       }
@@ -278,11 +271,8 @@ class PlyReader {
 
   const PlyHeader& header_;
   Data data_;
-  const std::string& name_;
-  ReadReport& report_;
-  Warnings& warnings_;
+  const ModelReading& in_;
   SceneBuilder builder_;
-  FileShading* shading_;                ///< may be null
   std::vector<std::uint32_t> normals_;  ///< of the vertices, packed; empty if there are none
   bool is_float32_ = false;
   double largest_ = 0;
@@ -292,16 +282,14 @@ class PlyReader {
 
 }  // namespace
 
-Scene read_ply(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings,
-               FileShading* shading) {
-  const PlyHeader header = read_ply_header(bytes, name);
-  const std::span<const std::byte> data = bytes.subspan(header.bytes);
-  if (header.encoding == PlyEncoding::ascii) {
-    return PlyReader(header, PlyTextData(as_text(data, name), header.lines, name, warnings), name, report, warnings, shading)
-        .read();
-  }
+Scene read_ply(const ModelReading& in) {
+  const std::string& name = in.file.name;
+  const PlyHeader header = read_ply_header(in.file.bytes, name);
+  const std::span<const std::byte> data = in.file.bytes.subspan(header.bytes);
+  if (header.encoding == PlyEncoding::ascii)
+    return PlyReader(header, PlyTextData(as_text(data, name), header.lines, name, in.warnings), in).read();
   const std::endian order = header.encoding == PlyEncoding::big_endian ? std::endian::big : std::endian::little;
-  return PlyReader(header, PlyBinaryData(data, order, name), name, report, warnings, shading).read();
+  return PlyReader(header, PlyBinaryData(data, order, name), in).read();
 }
 
 }  // namespace ligne

@@ -45,14 +45,14 @@ std::string unquoted(std::string_view text) {
 
 class AscReader {
  public:
-  AscReader(std::string_view text, const std::string& name, ReadReport& report, Warnings& warnings, FileShading* shading)
-      : lines_(text), name_(name), report_(report), warnings_(warnings), builder_(name, report), shading_(shading) {}
+  explicit AscReader(const ModelReading& in)
+      : lines_(as_text(in.file.bytes, in.file.name)), in_(in), builder_(in.file.name, in.report) {}
 
   Scene read() {
     std::string_view line;
     while (lines_.next(line)) read_line(trimmed(line));
     end_object();
-    return builder_.finish(Axis::z, warnings_.left_out());
+    return builder_.finish(Axis::z, in_.warnings.left_out());
   }
 
  private:
@@ -76,7 +76,7 @@ class AscReader {
     return groups;
   }
 
-  InputError error(const std::string& cause) const { return error_at_line(name_, lines_.number(), cause); }
+  InputError error(const std::string& cause) const { return error_at_line(in_.file.name, lines_.number(), cause); }
 
   void read_line(std::string_view line) {
     if (line.empty() || take_key(line, "Page ")) return;
@@ -110,7 +110,7 @@ class AscReader {
     } else if (take_key(line, "Bank angle:")) {
       bank(line);
     } else if (!is_left_out(line)) {
-      warnings_.leave_out("lines " + shown(line.substr(0, line.find_first_of(":=0123456789"))));
+      in_.warnings.leave_out("lines " + shown(line.substr(0, line.find_first_of(":=0123456789"))));
     }
   }
 
@@ -255,10 +255,10 @@ class AscReader {
           builder_.use_material(face.material);
         builder_.add_face(face.corners);
         builder_.set_corner_flags(face.flags);
-        if (shading_) shading_->face_groups.push_back(face.smoothing);
+        if (in_.shading) in_.shading->face_groups.push_back(face.smoothing);
       }
       builder_.end_object(precision_.value());
-      report_.vertices += vertices_;
+      in_.report.vertices += vertices_;
     }
     part_ = Part::none;
     vertices_ = 0;
@@ -266,11 +266,8 @@ class AscReader {
   }
 
   LineReader lines_;
-  const std::string& name_;
-  ReadReport& report_;
-  Warnings& warnings_;
+  const ModelReading& in_;
   SceneBuilder builder_;
-  FileShading* shading_;  ///< may be null
   Part part_ = Part::none;
   SceneCamera camera_;  ///< the camera being read
   std::string object_name_;
@@ -282,10 +279,9 @@ class AscReader {
 
 }  // namespace
 
-Scene read_asc(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings,
-               FileShading* shading) {
-  if (shading) shading->groups_are_bits = true;
-  return AscReader(as_text(bytes, name), name, report, warnings, shading).read();
+Scene read_asc(const ModelReading& in) {
+  if (in.shading) in.shading->groups_are_bits = true;
+  return AscReader(in).read();
 }
 
 }  // namespace ligne

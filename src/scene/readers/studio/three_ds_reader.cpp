@@ -66,16 +66,15 @@ struct KeyframeNode {
 
 class ThreeDsReader {
  public:
-  ThreeDsReader(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings,
-                FileShading* shading)
-      : file_(bytes, name), name_(name), report_(report), warnings_(warnings), builder_(name, report), shading_(shading) {}
+  explicit ThreeDsReader(const ModelReading& in)
+      : file_(in.file.bytes, in.file.name), in_(in), builder_(in.file.name, in.report) {}
 
   Scene read() {
     file_.for_chunks([&](std::uint16_t number, ChunkReader chunk) {
       if (number == kFile) read_file(chunk);
     });
     add_meshes();
-    Scene scene = builder_.finish(Axis::z, warnings_.left_out());
+    Scene scene = builder_.finish(Axis::z, in_.warnings.left_out());
     for (Material& material : scene.materials) {
       const auto found = materials_.find(material.name);
       if (found != materials_.end()) material = found->second;
@@ -105,7 +104,7 @@ class ThreeDsReader {
       if (number == 0xa000) material.name = part.take_text();
       if (number == 0xa020) read_color(part, material.color);
       if (number == 0xa050) material.opacity = 1 - percentage(part);
-      if (number == 0xa200) warnings_.leave_out("textures");
+      if (number == 0xa200) in_.warnings.leave_out("textures");
     });
     materials_[material.name] = material;
   }
@@ -246,7 +245,8 @@ class ThreeDsReader {
     for (std::uint32_t parent = node.parent; parent != kNone;) {
       const auto found = nodes_.find(parent);
       if (found == nodes_.end()) break;
-      if (++depth > kDeepest) throw InputError(name_, "keyframes: node " + shown(node.name) + " is its own ancestor");
+      if (++depth > kDeepest)
+        throw InputError(in_.file.name, "keyframes: node " + shown(node.name) + " is its own ancestor");
       place = found->second.place * place;
       parent = found->second.parent;
     }
@@ -290,18 +290,15 @@ class ThreeDsReader {
       for (std::uint32_t& corner : corners) corner += first;
       builder_.add_face(corners);
       builder_.set_corner_flags(face.flags);
-      if (shading_) shading_->face_groups.push_back(face.smoothing);
+      if (in_.shading) in_.shading->face_groups.push_back(face.smoothing);
     }
     builder_.end_object(half_ulp_float32(largest));
-    if (!mesh.faces.empty()) report_.vertices += mesh.vertices.size();
+    if (!mesh.faces.empty()) in_.report.vertices += mesh.vertices.size();
   }
 
   ChunkReader file_;
-  const std::string& name_;
-  ReadReport& report_;
-  Warnings& warnings_;
+  const ModelReading& in_;
   SceneBuilder builder_;
-  FileShading* shading_;  ///< may be null
   std::map<std::string, Material> materials_;
   std::vector<StudioMesh> meshes_;
   std::map<std::uint32_t, KeyframeNode> nodes_;  ///< by number
@@ -317,10 +314,9 @@ bool is_3ds(std::span<const std::byte> bytes) {
   return length > kChunkHeader && length <= bytes.size() && bytes.size() - length <= kMostBehind;
 }
 
-Scene read_3ds(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings,
-               FileShading* shading) {
-  if (shading) shading->groups_are_bits = true;
-  return ThreeDsReader(bytes, name, report, warnings, shading).read();
+Scene read_3ds(const ModelReading& in) {
+  if (in.shading) in.shading->groups_are_bits = true;
+  return ThreeDsReader(in).read();
 }
 
 }  // namespace ligne

@@ -215,8 +215,8 @@ struct ThreeMfMesh {
 
 class ThreeMfReader {
  public:
-  ThreeMfReader(const ZipArchive& archive, const std::string& name, ReadReport& report, Warnings& warnings)
-      : document_(archive, name, warnings), name_(name), warnings_(warnings), builder_(name, report), report_(report) {}
+  ThreeMfReader(const ZipArchive& archive, const ModelReading& in)
+      : document_(archive, in.file.name, in.warnings), in_(in), builder_(in.file.name, in.report) {}
 
   Scene read() {
     ThreeMfPart& root = document_.root();
@@ -229,8 +229,8 @@ class ThreeMfReader {
         if (local_name(item.name()) == "item") add_reference(root, item, glm::dmat4(1), 0);
       }
     }
-    if (!has_build) throw InputError(name_, "its model has no build element");
-    return builder_.finish(Axis::z, warnings_.left_out());
+    if (!has_build) throw InputError(in_.file.name, "its model has no build element");
+    return builder_.finish(Axis::z, in_.warnings.left_out());
   }
 
  private:
@@ -238,7 +238,7 @@ class ThreeMfReader {
     const std::string_view unit = attribute_of(part.model, "unit");
     if (unit.empty()) return 1;
     const auto known = std::ranges::find(kUnits, unit, &std::pair<std::string_view, double>::first);
-    if (known == kUnits.end()) throw InputError(name_, "unit " + shown(unit) + " is not known");
+    if (known == kUnits.end()) throw InputError(in_.file.name, "unit " + shown(unit) + " is not known");
     return known->second;
   }
 
@@ -249,18 +249,19 @@ class ThreeMfReader {
     path.erase(0, std::min(path.find_first_not_of('/'), path.size()));
     ThreeMfPart& of_object = path.empty() ? part : document_.part(path);
     const std::optional<glm::dmat4> transform = transform_of(attribute_of(reference, "transform"));
-    if (!transform) throw InputError(name_, "the transform of object " + shown(id) + " is not twelve numbers");
+    if (!transform) throw InputError(in_.file.name, "the transform of object " + shown(id) + " is not twelve numbers");
     const auto object = of_object.objects.find(id);
-    if (object == of_object.objects.end()) throw InputError(name_, "there is no object " + shown(id));
-    if (level > kMostLevels) throw InputError(name_, "object " + shown(id) + " contains itself, or is nested too deeply");
-    if (++used_ > kMostReferences) throw InputError(name_, "there are too many repeated objects");
+    if (object == of_object.objects.end()) throw InputError(in_.file.name, "there is no object " + shown(id));
+    if (level > kMostLevels)
+      throw InputError(in_.file.name, "object " + shown(id) + " contains itself, or is nested too deeply");
+    if (++used_ > kMostReferences) throw InputError(in_.file.name, "there are too many repeated objects");
     add_object(of_object, id, object->second, to_build * *transform, level);
   }
 
   void add_object(ThreeMfPart& part, const std::string& id, const pugi::xml_node& object, const glm::dmat4& to_build,
                   int level) {
     const std::string_view type = attribute_of(object, "type");
-    if (type == "support" || type == "solidsupport") return warnings_.leave_out("supports");
+    if (type == "support" || type == "solidsupport") return in_.warnings.leave_out("supports");
     for (const pugi::xml_node& child : object.children()) {
       const std::string_view kind = local_name(child.name());
       if (kind == "mesh") {
@@ -268,7 +269,7 @@ class ThreeMfReader {
       } else if (kind == "components") {
         for (const pugi::xml_node& component : child.children()) add_reference(part, component, to_build, level + 1);
       } else if (kind != "metadatagroup" && child.type() == pugi::node_element) {
-        warnings_.leave_out("elements " + std::string(child.name()));
+        in_.warnings.leave_out("elements " + std::string(child.name()));
       }
     }
   }
@@ -286,7 +287,7 @@ class ThreeMfReader {
       else if (kind == "triangles")
         read_triangles(part, object, child, place, out);
       else if (child.type() == pugi::node_element)
-        warnings_.leave_out("elements " + std::string(child.name()));
+        in_.warnings.leave_out("elements " + std::string(child.name()));
     }
     return out;
   }
@@ -300,8 +301,8 @@ class ThreeMfReader {
         const std::string_view word = vertex.attribute(kAxes[static_cast<std::size_t>(k)]).value();
         const std::optional<double> value = number_in(word);
         if (!value) {
-          throw InputError(
-              name_, place + ": " + shown(word) + " is not a coordinate of vertex " + std::to_string(mesh.vertices.size()));
+          throw InputError(in_.file.name, place + ": " + shown(word) + " is not a coordinate of vertex " +
+                                              std::to_string(mesh.vertices.size()));
         }
         precision.add(word, *value);
         p[k] = *value;
@@ -321,8 +322,9 @@ class ThreeMfReader {
         const std::string_view word = triangle.attribute(corner).value();
         const std::optional<std::int64_t> index = parse_integer(word);
         if (!index || *index < 0 || *index >= static_cast<std::int64_t>(mesh.vertices.size())) {
-          throw InputError(name_, place + ": triangle " + std::to_string(mesh.corners.size() / 3) + " names vertex " +
-                                      printable(word) + " of " + std::to_string(mesh.vertices.size()));
+          throw InputError(in_.file.name, place + ": triangle " + std::to_string(mesh.corners.size() / 3) +
+                                              " names vertex " + printable(word) + " of " +
+                                              std::to_string(mesh.vertices.size()));
         }
         mesh.corners.push_back(static_cast<std::uint32_t>(*index));
       }
@@ -347,7 +349,7 @@ class ThreeMfReader {
 
   void add_mesh(const ThreeMfMesh& mesh, const std::string& name, const glm::dmat4& to_build) {
     triangles_ += mesh.corners.size() / 3;
-    if (triangles_ > kMostTriangles) throw InputError(name_, "repeated meshes have too many triangles");
+    if (triangles_ > kMostTriangles) throw InputError(in_.file.name, "repeated meshes have too many triangles");
     builder_.begin_object(name);
     const bool moved = to_build != glm::dmat4(1), mirrored = glm::determinant(glm::dmat3(to_build)) < 0;
     double largest = 0;
@@ -367,14 +369,12 @@ class ThreeMfReader {
     const double rounded = moved ? kRoundings * std::numeric_limits<double>::epsilon() * largest : 0;
     const double precision = mesh.precision * (moved ? largest_stretch(to_build) : 1) + rounded;
     builder_.end_object(std::isfinite(precision) ? precision : 0);
-    report_.vertices += mesh.vertices.size();
+    in_.report.vertices += mesh.vertices.size();
   }
 
   ThreeMfDocument document_;
-  const std::string& name_;
-  Warnings& warnings_;
+  const ModelReading& in_;
   SceneBuilder builder_;
-  ReadReport& report_;
   std::map<std::pair<std::string, std::string>, ThreeMfMesh> meshes_;  ///< by path and id
   std::map<std::pair<const ThreeMfMaterials*, std::int64_t>, std::size_t> materials_;
   std::size_t used_ = 0, triangles_ = 0;
@@ -384,10 +384,10 @@ class ThreeMfReader {
 
 bool is_three_mf(const ZipArchive& archive) { return !model_path(archive).empty(); }
 
-Scene read_three_mf(std::span<const std::byte> bytes, const std::string& name, ReadReport& report, Warnings& warnings) {
-  const ZipArchive archive(bytes, name);
-  if (!is_three_mf(archive)) throw InputError(name, "is a ZIP archive without a 3MF model");
-  return ThreeMfReader(archive, name, report, warnings).read();
+Scene read_three_mf(const ModelReading& in) {
+  const ZipArchive archive(in.file.bytes, in.file.name);
+  if (!is_three_mf(archive)) throw InputError(in.file.name, "is a ZIP archive without a 3MF model");
+  return ThreeMfReader(archive, in).read();
 }
 
 }  // namespace ligne
