@@ -1,7 +1,6 @@
 // Formats are recognised in this order: files with a magic number (GLB, PLY, JSON, images and archives); binary STL,
 // whose size must match its count; text by its first lines; and last the suffix.
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -28,57 +27,48 @@ constexpr char kWithFreeCad[] = "open it in FreeCAD and export STL, OBJ or glTF"
 constexpr char kNoModel[] = "";
 constexpr char kUnpack[] = "unpack it; a Blender file may be such an archive";
 
-struct ForeignFormat {
-  std::string_view mark, what, advice;
-};
-
-constexpr std::array kBeginnings{
-    ForeignFormat{"\x89PNG", "a PNG image", kNoModel},
-    ForeignFormat{"\xFF\xD8\xFF", "a JPEG image", kNoModel},
-    ForeignFormat{"GIF8", "a GIF image", kNoModel},
-    ForeignFormat{"II*", "a TIFF image", kNoModel},
-    ForeignFormat{{"MM\0*", 4}, "a TIFF image", kNoModel},
-    ForeignFormat{"%PDF", "a PDF document", kNoModel},
-    ForeignFormat{"\x1F\x8B", "a gzip archive", kUnpack},
-    ForeignFormat{"\x28\xB5\x2F\xFD", "a Zstandard archive", kUnpack},
-    ForeignFormat{"AC3D", "an AC3D file", kWithAssimp},
-    ForeignFormat{"*3DSMAX_ASCIIEXPORT", "a 3ds Max text file (ASE)", kWithAssimp},
-    ForeignFormat{"7z\xBC\xAF", "a 7z archive", kNoModel},
-    ForeignFormat{"Rar!", "a RAR archive", kNoModel},
-    ForeignFormat{"<svg", "an SVG drawing", kNoModel},
-    ForeignFormat{"Kaydara FBX Binary", "an FBX file", kWithAssimp},
-    ForeignFormat{"; FBX", "an FBX file", kWithAssimp},
-    ForeignFormat{"ISO-10303-21", "a STEP file", kWithFreeCad},
-    ForeignFormat{"PXR-USDC", "a USD file", kWithBlender},
-    ForeignFormat{"#usda", "a USD file", kWithBlender},
-    ForeignFormat{"BLENDER", "a Blender file", kWithBlender},
-    ForeignFormat{{"\xFF\xFE\xFF\x0ES\0k\0e\0t\0c\0h\0U\0p\0", 20},
-                  "a SketchUp file",
-                  "export COLLADA or glTF from SketchUp, and convert the first with assimp"},
-    ForeignFormat{"AutoCAD Binary DXF", "a DXF file", kWithFreeCad},
-    ForeignFormat{"AC10", "a DWG file", kWithFreeCad},
-    ForeignFormat{"#VRML", "a VRML file", "open it in MeshLab and export PLY or OBJ"},
-    ForeignFormat{"3D Geometry File Format", "a Rhino file", "export OBJ or STL from Rhino"},
-    ForeignFormat{"# vtk DataFile", "a VTK file", "open it in ParaView and save its surface as PLY or STL"},
-    ForeignFormat{"$MeshFormat", "a Gmsh mesh", "convert it with: gmsh IN -0 -o OUT.stl"},
-    ForeignFormat{"MeshVersionFormatted", "a Medit mesh", "convert it with: gmsh IN -0 -o OUT.stl"},
-    ForeignFormat{"# .PCD", "a point cloud (PCD)", "it has only points: reconstruct a surface, for example in MeshLab"},
-    ForeignFormat{"DBRep_DrawableShape", "a BREP file of Open CASCADE", kWithFreeCad},
-    ForeignFormat{{"U3D\0", 4}, "a U3D file", kWithBlender},
+constexpr ForeignFormat kBeginnings[] = {
+    {"\x89PNG", "a PNG image", kNoModel},
+    {"\xFF\xD8\xFF", "a JPEG image", kNoModel},
+    {"GIF8", "a GIF image", kNoModel},
+    {"II*", "a TIFF image", kNoModel},
+    {{"MM\0*", 4}, "a TIFF image", kNoModel},
+    {"%PDF", "a PDF document", kNoModel},
+    {"\x1F\x8B", "a gzip archive", kUnpack},
+    {"\x28\xB5\x2F\xFD", "a Zstandard archive", kUnpack},
+    {"AC3D", "an AC3D file", kWithAssimp},
+    {"*3DSMAX_ASCIIEXPORT", "a 3ds Max text file (ASE)", kWithAssimp},
+    {"7z\xBC\xAF", "a 7z archive", kNoModel},
+    {"Rar!", "a RAR archive", kNoModel},
+    {"<svg", "an SVG drawing", kNoModel},
+    {"Kaydara FBX Binary", "an FBX file", kWithAssimp},
+    {"; FBX", "an FBX file", kWithAssimp},
+    {"ISO-10303-21", "a STEP file", kWithFreeCad},
+    {"PXR-USDC", "a USD file", kWithBlender},
+    {"#usda", "a USD file", kWithBlender},
+    {"BLENDER", "a Blender file", kWithBlender},
+    {{"\xFF\xFE\xFF\x0ES\0k\0e\0t\0c\0h\0U\0p\0", 20},
+     "a SketchUp file",
+     "export COLLADA or glTF from SketchUp, and convert the first with assimp"},
+    {"AutoCAD Binary DXF", "a DXF file", kWithFreeCad},
+    {"AC10", "a DWG file", kWithFreeCad},
+    {"#VRML", "a VRML file", "open it in MeshLab and export PLY or OBJ"},
+    {"3D Geometry File Format", "a Rhino file", "export OBJ or STL from Rhino"},
+    {"# vtk DataFile", "a VTK file", "open it in ParaView and save its surface as PLY or STL"},
+    {"$MeshFormat", "a Gmsh mesh", "convert it with: gmsh IN -0 -o OUT.stl"},
+    {"MeshVersionFormatted", "a Medit mesh", "convert it with: gmsh IN -0 -o OUT.stl"},
+    {"# .PCD", "a point cloud (PCD)", "it has only points: reconstruct a surface, for example in MeshLab"},
+    {"DBRep_DrawableShape", "a BREP file of Open CASCADE", kWithFreeCad},
+    {{"U3D\0", 4}, "a U3D file", kWithBlender},
 };
 
 /// Root elements of XML documents, searched for at their beginning.
-constexpr std::array kRoots{
-    ForeignFormat{"<COLLADA", "a COLLADA file", kWithAssimp},
-    ForeignFormat{"<X3D", "an X3D file", kWithAssimp},
-    ForeignFormat{"<amf", "an AMF file", "open it in PrusaSlicer or FreeCAD and export 3MF or STL"},
-    ForeignFormat{"<svg", "an SVG drawing", kNoModel},
+constexpr ForeignFormat kRoots[] = {
+    {"<COLLADA", "a COLLADA file", kWithAssimp},
+    {"<X3D", "an X3D file", kWithAssimp},
+    {"<amf", "an AMF file", "open it in PrusaSlicer or FreeCAD and export 3MF or STL"},
+    {"<svg", "an SVG drawing", kNoModel},
 };
-
-std::string message(const ForeignFormat& format) {
-  if (format.advice.empty()) return "is " + std::string(format.what) + ", not a model";
-  return "is " + std::string(format.what) + ", which is not read: " + std::string(format.advice);
-}
 
 /// Whether the text has lines of 80 characters whose 73rd names the section, S in the first line.
 bool is_iges(std::string_view text) {
@@ -105,9 +95,7 @@ std::optional<std::string> find_foreign_format(std::span<const std::byte> bytes)
   if (chars.starts_with("ISO-10303-21") && head.find("IFC") != std::string_view::npos) {
     return message({"", "an IFC file", "open it in FreeCAD or Blender (Bonsai) and export OBJ or glTF"});
   }
-  for (const ForeignFormat& format : kBeginnings) {
-    if (chars.starts_with(format.mark)) return message(format);
-  }
+  if (const auto found = foreign_format(chars, kBeginnings)) return found;
   for (const ForeignFormat& format : kRoots) {
     if (chars.starts_with('<') && head.find(format.mark) != std::string_view::npos) return message(format);
   }
@@ -218,6 +206,18 @@ std::optional<ModelFormat> text_format(std::string_view text) {
 }
 
 }  // namespace
+
+std::optional<std::string> foreign_format(std::string_view chars, std::span<const ForeignFormat> formats) {
+  for (const ForeignFormat& format : formats) {
+    if (chars.starts_with(format.mark)) return message(format);
+  }
+  return {};
+}
+
+std::string message(const ForeignFormat& format) {
+  if (format.advice.empty()) return "is " + std::string(format.what) + ", not a model";
+  return "is " + std::string(format.what) + ", which is not read: " + std::string(format.advice);
+}
 
 std::string_view to_string(ModelFormat format) {
   constexpr std::string_view kNames[] = {"glTF",        "glTF binary",     "OBJ",       "STL", "STL binary",

@@ -16,6 +16,15 @@ namespace ligne {
 
 class ZipArchive;
 
+/// A kind of file that is known by its first bytes but not read, and how to convert it; without advice: no model.
+struct ForeignFormat {
+  std::string_view mark, what, advice;
+};
+/// "is a STEP file, which is not read: open it in FreeCAD ..."
+std::string message(const ForeignFormat& format);
+/// The message for the format with whose mark a file begins; nothing if there is none.
+std::optional<std::string> foreign_format(std::string_view chars, std::span<const ForeignFormat> formats);
+
 /// A model file that is being read, and the receivers of what it holds beside the scene.
 struct ModelReading {
   ModelBytes file;

@@ -1,56 +1,50 @@
 #include "scene/tables/unpack.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <zlib.h>
 
 #include "files/input_error.hpp"
 #include "files/message_text.hpp"
+#include "scene/readers/format_readers.hpp"
 #include "scene/readers/zip_archive.hpp"
 
 namespace ligne {
 namespace {
 
-struct ForeignDataFormat {
-  std::string_view mark, what, advice;
-};
-
-constexpr std::array kForeignDataFormats{
-    ForeignDataFormat{"\x89HDF\r\n\x1a\n", "an HDF5 or netCDF-4 file",
-                      "nccopy -k classic IN OUT.nc, or gdal_translate -of GTiff IN OUT.tif"},
-    ForeignDataFormat{"MATLAB 7.3", "a MATLAB file of version 7.3", "save it again in MATLAB: save('OUT.mat', '-v7')"},
-    ForeignDataFormat{"PAR1", "a Parquet file", "python3 -c \"import pandas; pandas.read_parquet('IN').to_csv('OUT.csv')\""},
-    ForeignDataFormat{"ARROW1", "an Arrow file",
-                      "python3 -c \"import pandas; pandas.read_feather('IN').to_csv('OUT.csv')\""},
-    ForeignDataFormat{"FEA1", "a Feather file", "python3 -c \"import pandas; pandas.read_feather('IN').to_csv('OUT.csv')\""},
-    ForeignDataFormat{"\xD0\xCF\x11\xE0", "a file of Microsoft Office", "save it as CSV"},
-    ForeignDataFormat{"SQLite format 3", "an SQLite database", "sqlite3 -csv IN 'SELECT x, y, z FROM ...' > OUT.csv"},
-    ForeignDataFormat{"RDX2\n", "a file of R", "in R: load('IN'), then write.csv(..., 'OUT.csv')"},
-    ForeignDataFormat{"RDX3\n", "a file of R", "in R: load('IN'), then write.csv(..., 'OUT.csv')"},
-    ForeignDataFormat{{"X\n\0\0\0", 5}, "an object of R (RDS)", "in R: write.csv(readRDS('IN'), 'OUT.csv')"},
-    ForeignDataFormat{"\x80\x03", "a pickle of Python", "save the array with numpy.save"},
-    ForeignDataFormat{"\x80\x04", "a pickle of Python", "save the array with numpy.save"},
-    ForeignDataFormat{"\x80\x05", "a pickle of Python", "save the array with numpy.save"},
-    ForeignDataFormat{{"\xFD"
-                       "7zXZ\0",
-                       6},
-                      "an xz archive",
-                      "xz -d IN"},
-    ForeignDataFormat{"BZh", "a bzip2 archive", "bzip2 -d IN"},
-    ForeignDataFormat{"\x28\xB5\x2F\xFD", "a Zstandard archive", "zstd -d IN"},
-    ForeignDataFormat{"\x1F\x9D", "a compress archive", "gzip -d IN"},
-    ForeignDataFormat{"7z\xBC\xAF\x27\x1C", "a 7z archive", "7z x IN"},
-    ForeignDataFormat{"Rar!", "a RAR archive", "unrar x IN"},
-    ForeignDataFormat{"\xFF\xD8\xFF", "a JPEG image", "convert IN -colorspace Gray OUT.png, if its grey is height"},
-    ForeignDataFormat{"GIF8", "a GIF image", "convert IN -colorspace Gray OUT.png, if its grey is height"},
-    ForeignDataFormat{"BM", "a BMP image", "convert IN -colorspace Gray OUT.png, if its grey is height"},
-    ForeignDataFormat{{"\0\0\0\x0CjP  ", 8}, "a JPEG 2000 image", "gdal_translate -of GTiff IN OUT.tif"},
-    ForeignDataFormat{"GRIB", "a GRIB file", "gdal_translate -of GTiff -b 1 IN OUT.tif"},
-    ForeignDataFormat{"LASF", "a cloud of laser points (LAS)", "las2txt --parse xyz IN OUT.txt"},
-    ForeignDataFormat{"EHFA_HEADER_TAG", "an ERDAS Imagine file", "gdal_translate -of GTiff IN OUT.tif"},
-    ForeignDataFormat{"%PDF", "a PDF document", "it holds pages"},
-    ForeignDataFormat{"<VRTDataset", "a virtual raster of GDAL", "gdal_translate -of GTiff IN OUT.tif"},
+constexpr ForeignFormat kForeignDataFormats[] = {
+    {"\x89HDF\r\n\x1a\n", "an HDF5 or netCDF-4 file", "nccopy -k classic IN OUT.nc, or gdal_translate -of GTiff IN OUT.tif"},
+    {"MATLAB 7.3", "a MATLAB file of version 7.3", "save it again in MATLAB: save('OUT.mat', '-v7')"},
+    {"PAR1", "a Parquet file", "python3 -c \"import pandas; pandas.read_parquet('IN').to_csv('OUT.csv')\""},
+    {"ARROW1", "an Arrow file", "python3 -c \"import pandas; pandas.read_feather('IN').to_csv('OUT.csv')\""},
+    {"FEA1", "a Feather file", "python3 -c \"import pandas; pandas.read_feather('IN').to_csv('OUT.csv')\""},
+    {"\xD0\xCF\x11\xE0", "a file of Microsoft Office", "save it as CSV"},
+    {"SQLite format 3", "an SQLite database", "sqlite3 -csv IN 'SELECT x, y, z FROM ...' > OUT.csv"},
+    {"RDX2\n", "a file of R", "in R: load('IN'), then write.csv(..., 'OUT.csv')"},
+    {"RDX3\n", "a file of R", "in R: load('IN'), then write.csv(..., 'OUT.csv')"},
+    {{"X\n\0\0\0", 5}, "an object of R (RDS)", "in R: write.csv(readRDS('IN'), 'OUT.csv')"},
+    {"\x80\x03", "a pickle of Python", "save the array with numpy.save"},
+    {"\x80\x04", "a pickle of Python", "save the array with numpy.save"},
+    {"\x80\x05", "a pickle of Python", "save the array with numpy.save"},
+    {{"\xFD"
+      "7zXZ\0",
+      6},
+     "an xz archive",
+     "xz -d IN"},
+    {"BZh", "a bzip2 archive", "bzip2 -d IN"},
+    {"\x28\xB5\x2F\xFD", "a Zstandard archive", "zstd -d IN"},
+    {"\x1F\x9D", "a compress archive", "gzip -d IN"},
+    {"7z\xBC\xAF\x27\x1C", "a 7z archive", "7z x IN"},
+    {"Rar!", "a RAR archive", "unrar x IN"},
+    {"\xFF\xD8\xFF", "a JPEG image", "convert IN -colorspace Gray OUT.png, if its grey is height"},
+    {"GIF8", "a GIF image", "convert IN -colorspace Gray OUT.png, if its grey is height"},
+    {"BM", "a BMP image", "convert IN -colorspace Gray OUT.png, if its grey is height"},
+    {{"\0\0\0\x0CjP  ", 8}, "a JPEG 2000 image", "gdal_translate -of GTiff IN OUT.tif"},
+    {"GRIB", "a GRIB file", "gdal_translate -of GTiff -b 1 IN OUT.tif"},
+    {"LASF", "a cloud of laser points (LAS)", "las2txt --parse xyz IN OUT.txt"},
+    {"EHFA_HEADER_TAG", "an ERDAS Imagine file", "gdal_translate -of GTiff IN OUT.tif"},
+    {"%PDF", "a PDF document", "it holds pages"},
+    {"<VRTDataset", "a virtual raster of GDAL", "gdal_translate -of GTiff IN OUT.tif"},
 };
 
 constexpr std::size_t kWindowBits = 15, kGzipToo = 16;
@@ -139,12 +133,6 @@ std::vector<std::byte> inflated(std::span<const std::byte> bytes, const std::str
   return inflate_all(bytes, kWindowBits, name);
 }
 
-std::optional<std::string> foreign_data_format(std::string_view bytes) {
-  for (const ForeignDataFormat& format : kForeignDataFormats) {
-    if (bytes.starts_with(format.mark))
-      return "is " + std::string(format.what) + ", which is not read: " + std::string(format.advice);
-  }
-  return {};
-}
+std::optional<std::string> foreign_data_format(std::string_view bytes) { return foreign_format(bytes, kForeignDataFormats); }
 
 }  // namespace ligne

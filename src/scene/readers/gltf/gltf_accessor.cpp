@@ -135,6 +135,14 @@ std::uint32_t load_index(const GltfElements& from, std::size_t i) {
                          [&](auto type) -> std::uint32_t { return load<decltype(type)>(from.data + i * from.stride); });
 }
 
+/// The element that the i-th sparse value replaces. Throws InputError if there is no such element.
+std::uint32_t sparse_index(const GltfDocument& document, const GltfAccessor& accessor, std::size_t i) {
+  const std::uint32_t at = load_index(accessor.sparse_indices, i);
+  if (at < accessor.count()) return at;
+  document.fail(accessor.place,
+                "sparse index " + std::to_string(at) + " of " + std::to_string(accessor.count()) + " elements");
+}
+
 /// Number k of element i; normalized integers are scaled to -1 to 1.
 double load_component(const GltfElements& from, std::size_t i, std::size_t k, bool normalized) {
   return with_type(from.component_type, [&](auto type) -> double {
@@ -211,13 +219,7 @@ double read_moved(const GltfDocument& document, const GltfAccessor& accessor, st
       check(read_elements(accessor.elements, accessor.normalized, [&](std::size_t i, const Point3& p) { out[i] = move(p); }),
             "position ");
   const GltfElements& indices = accessor.sparse_indices;
-  for (std::size_t i = 0; i < indices.count; ++i) {
-    const std::uint32_t at = load_index(indices, i);
-    if (at >= accessor.count()) {
-      document.fail(accessor.place,
-                    "sparse index " + std::to_string(at) + " of " + std::to_string(accessor.count()) + " elements");
-    }
-  }
+  for (std::size_t i = 0; i < indices.count; ++i) sparse_index(document, accessor, i);
   // Sequential, so that the last of two values for one element counts at any number of threads.
   std::vector<Point3> values(indices.count);
   const ReadAccessor met = read_elements(accessor.sparse_values, accessor.normalized,
@@ -309,11 +311,7 @@ void read_indices(const GltfDocument& document, const GltfAccessor& accessor, st
     for (std::size_t i = bad; i < from.count; ++i) check(i, load_index(from, i));
   }
   for (std::size_t i = 0; i < accessor.sparse_indices.count; ++i) {
-    const std::uint32_t at = load_index(accessor.sparse_indices, i), index = load_index(accessor.sparse_values, i);
-    if (at >= accessor.count()) {
-      document.fail(accessor.place,
-                    "sparse index " + std::to_string(at) + " of " + std::to_string(accessor.count()) + " elements");
-    }
+    const std::uint32_t at = sparse_index(document, accessor, i), index = load_index(accessor.sparse_values, i);
     check(at, index);
     out[at] = first_vertex + index;
   }

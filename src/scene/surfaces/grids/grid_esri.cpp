@@ -92,7 +92,7 @@ class EsriReader {
     else if (is("dy"))
       header_.dy = size_in(key, word);
     else
-      header_.no_data = no_data_in(key, word);
+      header_.no_data = value_in(key, word, true);
     return true;
   }
 
@@ -108,8 +108,8 @@ class EsriReader {
     return *value;
   }
 
-  double value_in(std::string_view key, std::string_view word) const {
-    const std::optional<double> value = number_in(word);
+  double value_in(std::string_view key, std::string_view word, bool may_be_missing = false) const {
+    const std::optional<double> value = may_be_missing ? height_in(word) : number_in(word);
     if (!value) throw error(printable(key) + " " + shown(word) + " is not a number");
     return *value;
   }
@@ -118,12 +118,6 @@ class EsriReader {
     const double value = value_in(key, word);
     if (!(value > 0)) throw error(printable(key) + " " + shown(word) + " is not above zero");
     return value;
-  }
-
-  double no_data_in(std::string_view key, std::string_view word) const {
-    const std::optional<double> value = height_in(word);
-    if (!value) throw error(printable(key) + " " + shown(word) + " is not a number");
-    return *value;
   }
 
   void check_header() {
