@@ -12,7 +12,6 @@
 #include <utility>
 #include <variant>
 
-
 namespace ligne {
 namespace {
 
