@@ -3,6 +3,8 @@
 #include <bit>
 #include <utility>
 
+#include "base/parallel.hpp"
+
 namespace ligne {
 
 SegmentEndTree::SegmentEndTree(const std::vector<PlacedEnd>& ends, double middle, double tolerance)
@@ -50,6 +52,19 @@ SegmentEndTree::Line SegmentEndTree::line_of(const DirectedSegment& s) const {
   line.ends[0] = {rounded(line.u0), rounded(line.v0)};
   line.ends[1] = {rounded(line.u1), rounded(line.v1)};
   return line;
+}
+
+SegmentEnds::SegmentEnds(std::span<const PlacedEnd> ends, double tolerance)
+    : longest_short_(kLongInTolerances * tolerance), size_(ends.size()) {
+  std::array<std::vector<PlacedEnd>, kRanges + 1> by_direction;
+  for (const PlacedEnd& end : ends) {
+    const bool is_long = length(end.p, end.far) > longest_short_;
+    by_direction[is_long ? range_of(line_directions::direction(end.p, end.far)) : kShort].push_back(end);
+  }
+  parallel_tasks(trees_.size(), [&](std::size_t g) {
+    const double middle = g == kShort ? 1 : (static_cast<double>(g) + 0.5) * line_directions::kCircle / kRanges;
+    trees_[g] = SegmentEndTree(std::exchange(by_direction[g], {}), middle, tolerance);
+  });
 }
 
 }  // namespace ligne

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/search/point_tree.hpp"
@@ -133,5 +134,49 @@ void SegmentEndTree::for_each_along(const DirectedSegment& segment, const Visit&
     visit(ends_[e]);
   });
 }
+
+/// The ends of segments: a tree for each range of directions, and one for the segments that are not long
+/// (kLongInTolerances), whose directions mean little.
+class SegmentEnds {
+ public:
+  SegmentEnds() = default;
+  /// `ends` holds both ends of each segment.
+  SegmentEnds(std::span<const PlacedEnd> ends, double tolerance);
+
+  std::size_t size() const { return size_; }
+
+  /// Calls visit(ends of a tree) for each tree. Neighbours in a tree are near each other on the page and in memory.
+  template <class Visit>
+  void for_each_tree(const Visit& visit) const {
+    for (const SegmentEndTree& tree : trees_) visit(tree.ends());
+  }
+
+  /// Calls visit(end) for the ends along a segment of all short ones, and of the long ones of nearly its direction if it
+  /// is long.
+  template <class Visit>
+  void for_each_along(const DirectedSegment& segment, const Visit& visit) const {
+    trees_[kShort].for_each_along(segment, visit);
+    if (segment.length <= longest_short_) return;
+    const std::size_t low = range_of(segment.direction - kDirectionReach),
+                      high = range_of(segment.direction + kDirectionReach);
+    trees_[low].for_each_along(segment, visit);
+    if (high != low) trees_[high].for_each_along(segment, visit);
+  }
+
+ private:
+  /// Number of ranges of directions. A long segment searches one or two of them. Adjustable.
+  static constexpr std::size_t kRanges = 20;
+  static constexpr std::size_t kShort = kRanges;  ///< the group of the short segments
+
+  static std::size_t range_of(double direction) {
+    constexpr double kRange = line_directions::kCircle / kRanges;
+    static_assert(2 * kDirectionReach < kRange);
+    return static_cast<std::size_t>(std::floor(direction / kRange) + double{kRanges}) % kRanges;
+  }
+
+  double longest_short_ = 0;
+  std::size_t size_ = 0;
+  std::array<SegmentEndTree, kRanges + 1> trees_;
+};
 
 }  // namespace ligne

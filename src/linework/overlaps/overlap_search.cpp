@@ -9,19 +9,6 @@
 
 namespace ligne {
 
-FiledEnds::FiledEnds(std::span<const PlacedEnd> ends, double tolerance_steps)
-    : longest_short_(kLongInTolerances * tolerance_steps), size_(ends.size()) {
-  std::array<std::vector<PlacedEnd>, kRanges + 1> by_direction;
-  for (const PlacedEnd& end : ends) {
-    const bool is_long = length(end.p, end.far) > longest_short_;
-    by_direction[is_long ? range_of(line_directions::direction(end.p, end.far)) : kShort].push_back(end);
-  }
-  parallel_tasks(trees_.size(), [&](std::size_t g) {
-    const double middle = g == kShort ? 1 : (static_cast<double>(g) + 0.5) * line_directions::kCircle / kRanges;
-    trees_[g] = SegmentEndTree(std::exchange(by_direction[g], {}), middle, tolerance_steps);
-  });
-}
-
 void OverlapSearch::file(std::span<const PlacedEnd> added, const std::vector<std::uint32_t>& place) {
   std::vector<PlacedEnd> united(added.begin(), added.end()), stay;
   for (; !groups_.empty(); groups_.pop_back(), united.insert(united.end(), stay.begin(), stay.end())) {
@@ -45,8 +32,9 @@ std::vector<StrokePair> OverlapSearch::find_new(const ComparedStrokes& compared)
   }
   file(added, place);
   const bool are_apart = groups_.back().size() == added.size();
-  const FiledEnds newest = are_apart ? FiledEnds() : FiledEnds(added, tolerance_);
-  const std::span<const FiledEnds> all(groups_), new_ones = are_apart ? all.last(1) : std::span<const FiledEnds>(&newest, 1);
+  const SegmentEnds newest = are_apart ? SegmentEnds() : SegmentEnds(added, tolerance_);
+  const std::span<const SegmentEnds> all(groups_),
+      new_ones = are_apart ? all.last(1) : std::span<const SegmentEnds>(&newest, 1);
   constexpr std::size_t kFollowed = 4096;  // ends in a task
   std::vector<StrokePair> pairs;
   const auto search = [&](const std::vector<PlacedEnd>& ends) {
@@ -65,12 +53,12 @@ std::vector<StrokePair> OverlapSearch::find_new(const ComparedStrokes& compared)
           found[begin / kFollowed].push_back({std::max(own, other), std::min(own, other)});
         };
         const DirectedSegment segment{s.from, s.to};
-        for (const FiledEnds& group : compared.is_new(own) ? all : new_ones) group.for_each_along(segment, compare);
+        for (const SegmentEnds& group : compared.is_new(own) ? all : new_ones) group.for_each_along(segment, compare);
       }
     });
     for (const std::vector<StrokePair>& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
   };
-  for (const FiledEnds& group : groups_) group.for_each_tree(search);
+  for (const SegmentEnds& group : groups_) group.for_each_tree(search);
   parallel_sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;

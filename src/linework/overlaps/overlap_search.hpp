@@ -1,8 +1,6 @@
 #pragma once
 /// The search for overlapping strokes.
 
-#include <array>
-#include <cmath>
 #include <compare>
 #include <cstdint>
 #include <span>
@@ -17,49 +15,6 @@ namespace ligne {
 struct StrokePair {
   std::uint32_t later, earlier;
   auto operator<=>(const StrokePair&) const = default;
-};
-
-/// The ends of strokes: a tree for each range of directions, and one for the short strokes, whose directions mean little.
-class FiledEnds {
- public:
-  FiledEnds() = default;
-  /// `ends` holds both ends of each stroke.
-  FiledEnds(std::span<const PlacedEnd> ends, double tolerance_steps);
-
-  std::size_t size() const { return size_; }
-
-  /// Calls visit(ends of a tree) for each tree. Neighbours in a tree are near each other on the page and in memory.
-  template <class Visit>
-  void for_each_tree(const Visit& visit) const {
-    for (const SegmentEndTree& tree : trees_) visit(tree.ends());
-  }
-
-  /// Calls visit(end) for the ends along a segment of all short strokes, and of the long strokes of nearly its direction if
-  /// it is long.
-  template <class Visit>
-  void for_each_along(const DirectedSegment& segment, const Visit& visit) const {
-    trees_[kShort].for_each_along(segment, visit);
-    if (segment.length <= longest_short_) return;
-    const std::size_t low = range_of(segment.direction - kDirectionReach),
-                      high = range_of(segment.direction + kDirectionReach);
-    trees_[low].for_each_along(segment, visit);
-    if (high != low) trees_[high].for_each_along(segment, visit);
-  }
-
- private:
-  /// Number of ranges of directions. A long stroke searches one or two of them. Adjustable.
-  static constexpr std::size_t kRanges = 20;
-  static constexpr std::size_t kShort = kRanges;  ///< the group of the short strokes
-
-  static std::size_t range_of(double direction) {
-    constexpr double kRange = line_directions::kCircle / kRanges;
-    static_assert(2 * kDirectionReach < kRange);
-    return static_cast<std::size_t>(std::floor(direction / kRange) + double{kRanges}) % kRanges;
-  }
-
-  double longest_short_ = 0;
-  std::size_t size_ = 0;
-  std::array<SegmentEndTree, kRanges + 1> trees_;
 };
 
 /// Finds overlaps among strokes of which some are replaced from call to call. The strokes that are added in a call make a
@@ -82,7 +37,7 @@ class OverlapSearch {
   void file(std::span<const PlacedEnd> added, const std::vector<std::uint32_t>& place);
 
   double tolerance_;
-  std::vector<FiledEnds> groups_;  ///< the last holds the new strokes; ends have ids of strokes, some of which are gone
+  std::vector<SegmentEnds> groups_;  ///< the last holds the new strokes; ends have ids of strokes, some of which are gone
 };
 
 }  // namespace ligne
