@@ -54,13 +54,14 @@ SegmentEndTree::Line SegmentEndTree::line_of(const DirectedSegment& s) const {
   return line;
 }
 
-SegmentEnds::SegmentEnds(std::span<const PlacedEnd> ends, double tolerance)
+SegmentEnds::SegmentEnds(std::vector<PlacedEnd> ends, double tolerance)
     : longest_short_(kLongInTolerances * tolerance), size_(ends.size()) {
   std::array<std::vector<PlacedEnd>, kRanges + 1> by_direction;
   for (const PlacedEnd& end : ends) {
     const bool is_long = length(end.p, end.far) > longest_short_;
     by_direction[is_long ? range_of(line_directions::direction(end.p, end.far)) : kShort].push_back(end);
   }
+  ends = {};
   parallel_tasks(trees_.size(), [&](std::size_t g) {
     const double middle = g == kShort ? 1 : (static_cast<double>(g) + 0.5) * line_directions::kCircle / kRanges;
     trees_[g] = SegmentEndTree(std::exchange(by_direction[g], {}), middle, tolerance);

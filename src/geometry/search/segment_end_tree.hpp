@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "geometry/search/point_tree.hpp"
@@ -139,9 +138,8 @@ void SegmentEndTree::for_each_along(const DirectedSegment& segment, const Visit&
 /// (kLongInTolerances), whose directions mean little.
 class SegmentEnds {
  public:
-  SegmentEnds() = default;
   /// `ends` holds both ends of each segment.
-  SegmentEnds(std::span<const PlacedEnd> ends, double tolerance);
+  SegmentEnds(std::vector<PlacedEnd> ends, double tolerance);
 
   std::size_t size() const { return size_; }
 
@@ -174,8 +172,8 @@ class SegmentEnds {
     return static_cast<std::size_t>(std::floor(direction / kRange) + double{kRanges}) % kRanges;
   }
 
-  double longest_short_ = 0;
-  std::size_t size_ = 0;
+  double longest_short_;
+  std::size_t size_;
   std::array<SegmentEndTree, kRanges + 1> trees_;
 };
 

@@ -9,16 +9,20 @@
 
 namespace ligne {
 
-void OverlapSearch::file(std::span<const PlacedEnd> added, const std::vector<std::uint32_t>& place) {
-  std::vector<PlacedEnd> united(added.begin(), added.end()), stay;
-  for (; !groups_.empty(); groups_.pop_back(), united.insert(united.end(), stay.begin(), stay.end())) {
+std::optional<SegmentEnds> OverlapSearch::file(std::vector<PlacedEnd> added, const std::vector<std::uint32_t>& place) {
+  std::optional<SegmentEnds> newest;
+  std::vector<PlacedEnd> stay;
+  const std::size_t count = added.size();
+  for (; !groups_.empty(); groups_.pop_back(), added.insert(added.end(), stay.begin(), stay.end())) {
     stay.clear();
     groups_.back().for_each_tree([&](const std::vector<PlacedEnd>& ends) {
       std::ranges::copy_if(ends, std::back_inserter(stay), [&](const PlacedEnd& e) { return place[e.segment] != kNone; });
     });
-    if (stay.size() > 2 * united.size() && 2 * stay.size() > groups_.back().size()) break;
+    if (stay.size() > 2 * added.size() && 2 * stay.size() > groups_.back().size()) break;
+    if (added.size() == count && !stay.empty()) newest.emplace(added, tolerance_);
   }
-  groups_.emplace_back(united, tolerance_);
+  groups_.emplace_back(std::move(added), tolerance_);
+  return newest;
 }
 
 std::vector<StrokePair> OverlapSearch::find_new(const ComparedStrokes& compared) {
@@ -30,11 +34,8 @@ std::vector<StrokePair> OverlapSearch::find_new(const ComparedStrokes& compared)
     place[compared.ids[i]] = i;
     if (compared.is_new(i)) added.insert(added.end(), {{from, to, compared.ids[i]}, {to, from, compared.ids[i]}});
   }
-  file(added, place);
-  const bool are_apart = groups_.back().size() == added.size();
-  const SegmentEnds newest = are_apart ? SegmentEnds() : SegmentEnds(added, tolerance_);
-  const std::span<const SegmentEnds> all(groups_),
-      new_ones = are_apart ? all.last(1) : std::span<const SegmentEnds>(&newest, 1);
+  const std::optional<SegmentEnds> newest = file(std::move(added), place);
+  const std::span<const SegmentEnds> all(groups_), new_ones = newest ? std::span(&*newest, 1) : all.last(1);
   constexpr std::size_t kFollowed = 4096;  // ends in a task
   std::vector<StrokePair> pairs;
   const auto search = [&](const std::vector<PlacedEnd>& ends) {

@@ -3,7 +3,7 @@
 
 #include <compare>
 #include <cstdint>
-#include <span>
+#include <optional>
 #include <vector>
 
 #include "geometry/search/segment_end_tree.hpp"
@@ -33,8 +33,9 @@ class OverlapSearch {
   std::vector<StrokePair> find_new(const ComparedStrokes& compared);
 
  private:
-  /// Files the ends of new strokes. `place` tells the place of the stroke with an id, or kNone.
-  void file(std::span<const PlacedEnd> added, const std::vector<std::uint32_t>& place);
+  /// Files the ends of new strokes. Returns them by themselves if they join others, or nothing if they make the last group.
+  /// `place` tells the place of the stroke with an id, or kNone.
+  std::optional<SegmentEnds> file(std::vector<PlacedEnd> added, const std::vector<std::uint32_t>& place);
 
   double tolerance_;
   std::vector<SegmentEnds> groups_;  ///< the last holds the new strokes; ends have ids of strokes, some of which are gone
