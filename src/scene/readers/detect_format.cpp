@@ -95,7 +95,7 @@ std::optional<std::string> find_foreign_format(std::span<const std::byte> bytes)
   if (chars.starts_with("ISO-10303-21") && head.find("IFC") != std::string_view::npos) {
     return message({"", "an IFC file", "open it in FreeCAD or Blender (Bonsai) and export OBJ or glTF"});
   }
-  if (const auto found = foreign_format(chars, kBeginnings)) return found;
+  if (auto found = foreign_format(chars, kBeginnings)) return found;
   for (const ForeignFormat& format : kRoots) {
     if (chars.starts_with('<') && head.find(format.mark) != std::string_view::npos) return message(format);
   }

@@ -69,7 +69,7 @@ std::string TriangleFile::find_ply() {
     if (element.properties.empty()) continue;
     const bool is_face = element.name == "face";
     if (!is_face && element.name != "vertex") return "it has elements beside vertices and faces";
-    const std::string why =
+    std::string why =
         is_face ? locate_triangles(element, element.find({"vertex_indices", "vertex_index"}), triangles_)
                 : locate_triples(element, {element.find({"x"}), element.find({"y"}), element.find({"z"})}, vertices_);
     if (!why.empty()) return why;

@@ -106,7 +106,7 @@ class HeaderReader {
   std::string take_name() {
     const std::uint64_t length = take_count();
     if (length > bytes_.size() - at_) throw error("ends early");
-    const std::string text(reinterpret_cast<const char*>(bytes_.data()) + at_, length);
+    std::string text(reinterpret_cast<const char*>(bytes_.data()) + at_, length);
     need(std::min(padded(length), bytes_.size() - at_));
     at_ += std::min(padded(length), bytes_.size() - at_);
     return text;

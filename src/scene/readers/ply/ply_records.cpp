@@ -44,13 +44,8 @@ std::optional<double> read_coordinates(const PlyTriples& triples, std::span<Poin
   return largest == HUGE_VAL ? std::nullopt : std::optional(largest);
 }
 
-std::uint32_t PlyTriangles::corner(std::size_t i, std::size_t k) const {
-  const std::byte* const at = records.item(i) + corners.offset + k * byte_size(corners.type);
-  if (corners.type == NumberType::int32 || corners.type == NumberType::uint32) {
-    const auto index = load_bytes<std::uint32_t>(at, records.order);
-    return corners.type == NumberType::int32 && index > 0x7fffffffu ? kNone : index;
-  }
-  const double index = load_number(at, corners.type, records.order);
+std::uint32_t PlyTriangles::index_at(const std::byte* at, NumberType type, std::endian order) {
+  const double index = load_number(at, type, order);
   return index >= 0 && index < double{kNone} && index == std::trunc(index) ? static_cast<std::uint32_t>(index) : kNone;
 }
 
@@ -70,9 +65,10 @@ std::string locate_triangles(const PlyElement& element, std::size_t indices, Ply
   return indices < element.properties.size() ? "" : "its faces have no corners";
 }
 
-bool read_corners(const PlyTriangles& triangles, std::span<std::uint32_t> out) {
+bool read_corners(const PlyTriangles& of, std::span<std::uint32_t> out) {
   std::atomic<bool> all{true};
-  parallel_blocks(triangles.records.count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(of.records.count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    const PlyTriangles triangles = of;  // stays in registers, whatever the loop writes
     for (std::size_t i = begin; i < end; ++i) {
       bool good = triangles.is_triangle(i);
       for (std::size_t k = 0; good && k < 3; ++k) good = (out[3 * i + k] = triangles.corner(i, k)) != kNone;

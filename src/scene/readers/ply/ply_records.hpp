@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 
+#include "base/no_index.hpp"
 #include "geometry/point.hpp"
 #include "scene/readers/ply/ply_header.hpp"
 
@@ -65,10 +66,20 @@ struct PlyTriangles {
   PlyField length, corners;  ///< of the list; its first corner, which the other two follow
 
   bool is_triangle(std::size_t i) const {
-    return load_number(records.item(i) + length.offset, length.type, records.order) == 3;
+    const std::byte* const at = records.item(i) + length.offset;
+    return length.type == NumberType::uint8 ? *at == std::byte{3} : load_number(at, length.type, records.order) == 3;
   }
   /// A corner of an item; kNone if it is not a whole number from 0 to kNone - 1.
-  std::uint32_t corner(std::size_t i, std::size_t k) const;
+  std::uint32_t corner(std::size_t i, std::size_t k) const {
+    const std::byte* const first = records.item(i) + corners.offset;
+    if (corners.type != NumberType::int32 && corners.type != NumberType::uint32)
+      return index_at(first + k * byte_size(corners.type), corners.type, records.order);
+    const auto index = load_bytes<std::uint32_t>(first + k * sizeof(std::uint32_t), records.order);
+    return corners.type == NumberType::int32 && index > 0x7fffffffu ? kNone : index;
+  }
+
+ private:
+  static std::uint32_t index_at(const std::byte* at, NumberType type, std::endian order);
 };
 /// Sets the size of the items and the fields. `indices` is the index of the list in `element.properties`. Returns an empty
 /// text, or why the items have no such fields, as a phrase.
