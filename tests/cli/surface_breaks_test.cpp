@@ -253,6 +253,7 @@ TEST_F(TerrainTest, AxesOfRidgelinesSayTruePositions) {
       EXPECT_TRUE(y > 230 || y < 90 || style == std::string("--axes=grid")) << style << ": crosses the rows at " << y;
     }
   }
+  EXPECT_EQ(layers({"sin(x)^2+cos(x)^2", "-x", "0:9"}), layers({"1", "-x", "0:9"})) << "a height and its rounding";
   EXPECT_EQ(layers({"x*0", "-x", "0:9", "-y", "0:1:4", "--ridgeline", "--axes"}).count("axes"), 1u) << "flat rows";
 }
 

@@ -313,7 +313,10 @@ std::vector<Surface> surfaces_of(const SurfaceRequest& request, RunReport& run) 
     if (request.log_axes[2] && !grid.mesh) grid.heights = log_heights(std::move(grid.heights));
     surfaces.push_back(std::move(grid));
   }
-  for (Surface& surface : surfaces) choose_curves(surface, request);
+  for (Surface& surface : surfaces) {
+    choose_curves(surface, request);
+    if (surface.heights && level_noise(surface.heights)) surface.function = nullptr;
+  }
   return surfaces;
 }
 

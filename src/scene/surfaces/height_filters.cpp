@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "base/parallel.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/surfaces/held_heights.hpp"
+#include "scene/surfaces/surface_points.hpp"
 
 namespace ligne {
 namespace {
@@ -34,6 +36,22 @@ class LogHeights : public HeightSource {
 
  private:
   std::unique_ptr<HeightSource> heights_;
+};
+
+/// One height in place of all; holes stay.
+class LevelHeights : public HeightSource {
+ public:
+  LevelHeights(std::unique_ptr<HeightSource> heights, double level)
+      : HeightSource(heights->x(), heights->y()), heights_(std::move(heights)), level_(level) {}
+
+  void read_row(std::size_t j, std::span<double> z) const override {
+    heights_->read_row(j, z);
+    for (double& height : z) height = std::isnan(height) ? height : level_;
+  }
+
+ private:
+  std::unique_ptr<HeightSource> heights_;
+  double level_;
 };
 
 /// Heights above a level; the others become holes.
@@ -159,6 +177,22 @@ class ThinnedHeights : public HeightSource {
 
 std::unique_ptr<HeightSource> land_heights(std::unique_ptr<HeightSource> heights, double level) {
   return std::make_unique<LandHeights>(std::move(heights), level);
+}
+
+bool level_noise(std::unique_ptr<HeightSource>& heights) {
+  double low = INFINITY, high = -INFINITY;
+  std::vector<double> row(heights->x().size());
+  for (std::size_t j = 0; j < heights->y().size(); ++j) {
+    heights->read_row(j, row);
+    for (const double z : row) {
+      if (z < low) low = z;
+      if (z > high) high = z;
+    }
+    if (high - low > kFormulaRounding * std::max(std::abs(low), std::abs(high))) return false;
+  }
+  if (!(low < high)) return false;
+  heights = std::make_unique<LevelHeights>(std::move(heights), std::midpoint(low, high));
+  return true;
 }
 
 std::unique_ptr<HeightSource> log_heights(std::unique_ptr<HeightSource> heights) {

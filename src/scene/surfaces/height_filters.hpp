@@ -19,6 +19,10 @@ std::unique_ptr<HeightSource> held(const HeightSource& heights);
 /// Exchanges x and y.
 std::unique_ptr<HeightSource> transposed(const HeightSource& heights);
 
+/// Gives heights that differ by the rounding of their formula alone (kFormulaRounding) one height: their noise would be
+/// drawn as high as any other surface. Returns whether it did.
+bool level_noise(std::unique_ptr<HeightSource>& heights);
+
 /// log10 of the heights; heights not above zero become holes.
 std::unique_ptr<HeightSource> log_heights(std::unique_ptr<HeightSource> heights);
 
