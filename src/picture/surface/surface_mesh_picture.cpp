@@ -185,12 +185,9 @@ void thin_curves(const SurfaceRequest& request, const std::vector<Surface>& give
       ground.low[axis] = points.points.front()[axis] * box.factor[axis];
       ground.high[axis] = points.points.back()[axis] * box.factor[axis];
     }
-    const std::size_t stride = stride_apart({ground, points.columns, points.rows, points.x_stride > 0, points.y_stride > 0},
-                                            around.placement.view, request.picture.page.pen_width_mm);
-    if (stride == 1) continue;
-    run.choices.emplace_back("every", std::to_string(stride) + ", to keep curves distinct");
-    if (points.x_stride > 0) points.x_stride = stride;
-    if (points.y_stride > 0) points.y_stride = stride;
+    const Strides strides = strides_apart({ground, points.columns, points.rows, points.x_stride > 0, points.y_stride > 0},
+                                          around.placement.view, request.picture.page.pen_width_mm);
+    apply(strides, points, run);
   }
 }
 

@@ -170,12 +170,10 @@ void warn_of_empty_or_cut(const Drawing& drawing, const Placement& placement, Ru
 /// Thins the curves of a fine grid.
 void thin_curves(const Surface& surface, HorizonRequest& horizon, const View& view, double pen_width_mm, RunReport& run) {
   HorizonOptions& options = horizon.options;
-  const std::size_t stride = stride_apart({horizon.box->in_model(), surface.heights->x().size(), surface.heights->y().size(),
-                                           options.x_stride > 0, options.y_stride > 0},
-                                          view, pen_width_mm);
-  if (stride > 1) run.choices.emplace_back("every", std::to_string(stride) + ", to keep curves distinct");
-  if (options.x_stride > 0) options.x_stride = stride;
-  if (options.y_stride > 0) options.y_stride = stride;
+  const Strides strides = strides_apart({horizon.box->in_model(), surface.heights->x().size(), surface.heights->y().size(),
+                                         options.x_stride > 0, options.y_stride > 0},
+                                        view, pen_width_mm);
+  apply(strides, options, run);
 }
 
 /// Whether the surface of a formula ends or jumps somewhere and may be drawn as a mesh, which can be cut there.

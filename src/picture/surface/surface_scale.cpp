@@ -80,7 +80,7 @@ std::array<TickScale, 3> tick_scales(const SurfaceRequest& request) {
   return scales;
 }
 
-std::size_t stride_apart(const GridOnPage& grid, const View& view, double pen_width_mm) {
+Strides strides_apart(const GridOnPage& grid, const View& view, double pen_width_mm) {
   const Point3 middle = (grid.box.low + grid.box.high) / 2., extent = grid.box.high - grid.box.low;
   const Point3 step_x{extent.x / static_cast<double>(grid.columns - 1), 0, 0};
   const Point3 step_y{0, extent.y / static_cast<double>(grid.rows - 1), 0};
@@ -91,9 +91,12 @@ std::size_t stride_apart(const GridOnPage& grid, const View& view, double pen_wi
   double least = INFINITY;
   if (grid.x_curves) least = std::min(least, across_x);
   if (grid.y_curves) least = std::min(least, across_y);
-  const std::size_t most = std::max<std::size_t>(1, (std::min(grid.columns, grid.rows) - 1) / (kFewestCurves - 1));
   const double stride = std::ceil(kCurveDistance * pen_width_mm / least);
-  return stride >= 1 && stride < static_cast<double>(most) ? static_cast<std::size_t>(stride) : stride >= 1 ? most : 1;
+  const auto of = [&](std::size_t samples) {
+    const std::size_t most = std::max<std::size_t>(1, (samples - 1) / (kFewestCurves - 1));
+    return stride >= 1 && stride < static_cast<double>(most) ? static_cast<std::size_t>(stride) : stride >= 1 ? most : 1;
+  };
+  return {of(grid.columns), of(grid.rows)};
 }
 
 }  // namespace ligne

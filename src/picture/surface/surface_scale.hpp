@@ -41,7 +41,20 @@ struct GridOnPage {
 };
 
 /// Strides of the curves, in columns and rows. On level ground at the centre, curves are then kCurveDistance apart.
-/// Each family keeps at least eight curves, also if the view is along the ground.
-std::size_t stride_apart(const GridOnPage& grid, const View& view, double pen_width_mm);
+/// Each family keeps at least eight curves, also if the view is along the ground, and all of them if it has fewer.
+struct Strides {
+  std::size_t x = 1, y = 1;
+};
+Strides strides_apart(const GridOnPage& grid, const View& view, double pen_width_mm);
+
+/// Sets and reports the strides of the families that are drawn.
+template <class Curves>
+void apply(const Strides& strides, Curves& curves, RunReport& run) {
+  const std::string x = std::to_string(strides.x), y = std::to_string(strides.y);
+  if (strides.x > 1 || strides.y > 1)
+    run.choices.emplace_back("every", (x == y ? x : x + " x " + y) + ", to keep curves distinct");
+  if (curves.x_stride > 0) curves.x_stride = strides.x;
+  if (curves.y_stride > 0) curves.y_stride = strides.y;
+}
 
 }  // namespace ligne
