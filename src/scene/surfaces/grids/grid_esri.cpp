@@ -40,7 +40,8 @@ bool is_key(std::string_view word) {
 
 class EsriReader {
  public:
-  EsriReader(std::string_view text, const std::string& name) : text_size_(text.size()), lines_(text), name_(name) {}
+  EsriReader(std::string_view text, const std::string& name, Warnings& warnings)
+      : text_size_(text.size()), lines_(text), name_(name), warnings_(warnings) {}
 
   std::unique_ptr<HeightSource> read() {
     std::string_view line;
@@ -146,6 +147,8 @@ class EsriReader {
     const std::size_t before = heights_.size();
     for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
       const std::optional<double> value = height_in(word);
+      // Some programs write the projection behind the heights.
+      if (!value && heights_.size() == wanted_) return warnings_.leave_out("lines behind the heights", 1);
       if (!value) throw error(shown(word) + " is not a number");
       if (heights_.size() == wanted_)
         throw error("more heights than the " + std::to_string(wanted_) + " of the header" + uneven_row_);
@@ -172,6 +175,7 @@ class EsriReader {
   std::size_t text_size_;
   LineReader lines_;
   const std::string& name_;
+  Warnings& warnings_;
   Header header_;
   std::size_t columns_ = 0, rows_ = 0, wanted_ = 0;
   std::vector<double> heights_;  ///< from north to south
@@ -189,8 +193,8 @@ bool is_esri_grid(std::string_view text) {
   return false;
 }
 
-std::unique_ptr<HeightSource> read_esri_grid(std::span<const std::byte> bytes, const std::string& name, Warnings&) {
-  return EsriReader(as_text(bytes, name), name).read();
+std::unique_ptr<HeightSource> read_esri_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings) {
+  return EsriReader(as_text(bytes, name), name, warnings).read();
 }
 
 }  // namespace ligne
