@@ -32,13 +32,6 @@ constexpr double kLightest = 0.05;
 
 bool is_white(const std::string& color) { return color == kWhite || color == "white"; }
 
-/// The id of the gradient from which this one takes missing parts; empty: none.
-std::string_view link_of(const pugi::xml_node& server) {
-  std::string_view link = server.attribute("href").value();
-  if (link.empty()) link = server.attribute("xlink:href").value();
-  return link.starts_with('#') ? link.substr(1) : std::string_view();
-}
-
 /// Whether a fill of these lines would show: some line leaves its first chord.
 bool has_area(const Polylines& lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {

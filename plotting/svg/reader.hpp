@@ -125,6 +125,8 @@ class SvgReader {
   void hatch_fill(const Polylines& contours, const Context& context, const std::string& color);
   void add_lines(const Polylines& lines, const Context& context, const std::string& color, double width_mm);
   void draw_text(const pugi::xml_node& node, const Context& context);
+  void draw_letter(const pugi::xml_node& node, const std::string& letter, const Style& style, const Matrix& place,
+                   const Context& context);
   bool has_paint(const std::optional<Paint>& paint, const pugi::xml_node& node);
   /// Kinds of a gradient or pattern, with the links that it follows.
   enum class ServerKind { opaque, translucent, empty };

@@ -3,6 +3,7 @@
 /// Characters are collected with the properties of the elements around them. A character with a position of its own
 /// begins a chunk, which the anchor shifts as a whole (SVG 1.1, 10.5).
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -15,13 +16,51 @@
 namespace ligne::svg {
 namespace {
 
+/// A path along which letters stand, in units of the text.
+struct TextPath {
+  std::vector<Point2> line;
+  double start = 0;  ///< distance of the text along it
+
+  /// The matrix to a place along it, with the direction of the path as x. Nothing beyond its ends.
+  std::optional<Matrix> at(double along) const;
+};
+
+std::optional<Matrix> TextPath::at(double along) const {
+  if (along < 0) return {};
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Point2 by = line[i] - line[i - 1];
+    const double length = std::hypot(by.x, by.y);
+    if (along <= length && length > 0) {
+      const Point2 x = by / length, at = line[i - 1] + x * along;
+      return Matrix{x.x, x.y, -x.y, x.x, at.x, at.y};
+    }
+    along -= length;
+  }
+  return {};
+}
+
+/// The path of an element; nullptr if it has none. Its curves are divided for the page.
+std::shared_ptr<TextPath> text_path(const pugi::xml_node& element, const Attributes& attributes, const Matrix& to_mm) {
+  const std::optional<Matrix> back = to_mm.inverse();
+  if (local_name(element) != "path" || !back) return nullptr;
+  Polylines lines;
+  Outline outline(lines, to_mm * transform(element.attribute("transform").value()));
+  outline_shape("path", element, attributes, outline);
+  auto path = std::make_shared<TextPath>();
+  for (const Point2& p : lines.points) path->line.push_back((*back)(p));
+  return path;
+}
+
 struct Character {
   std::string utf8;
   Style style;
   std::optional<double> x, y, rotate;
   double dx = 0, dy = 0;
-  double advance = 0, stretch = 1;  ///< of its letter
+  double advance = 0, stretch = 1;         ///< of its letter
+  double inset = 0;                        ///< of a narrow letter, where all have one width
+  std::shared_ptr<const TextPath> path{};  ///< nullptr: on a straight line
   bool blank() const { return utf8 == " "; }
+  bool begins_chunk(const Character* before) const { return !before || x || y || path != before->path; }
 };
 
 bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
@@ -42,8 +81,9 @@ std::vector<double> lengths(std::string_view list, const Viewport& port, double 
 class TextReader {
  public:
   using Styled = std::function<Style(const pugi::xml_node&, const Style&, bool&)>;
-  TextReader(const Viewport& port, const Diagnostics& diagnostics, Styled styled)
-      : port_(port), diagnostics_(diagnostics), styled_(std::move(styled)) {}
+  using PathOf = std::function<std::shared_ptr<const TextPath>(const pugi::xml_node&)>;
+  TextReader(const Viewport& port, const Diagnostics& diagnostics, Styled styled, PathOf path_of)
+      : port_(port), diagnostics_(diagnostics), styled_(std::move(styled)), path_of_(std::move(path_of)) {}
 
   /// Collects the characters inside the element, whose style is given.
   void gather(const pugi::xml_node& node, const Style& style, int depth);
@@ -77,6 +117,7 @@ class TextReader {
   const Viewport& port_;
   const Diagnostics& diagnostics_;
   Styled styled_;
+  PathOf path_of_;
 };
 
 void TextReader::add(std::string_view text, const Style& style) {
@@ -89,9 +130,14 @@ void TextReader::add(std::string_view text, const Style& style) {
       Character character;
       character.utf8 = blank ? " " : std::string(text.substr(i, n));
       character.style = style;
+      // Letters of single strokes are a quarter wider than those of most typefaces, for which a text leaves room.
       const double height = style.font_size * kCapitalsOfSize;
-      character.advance = text_extent(character.utf8, height, TextStyle::stroke).width + style.letter_spacing +
-                          (blank ? style.word_spacing : 0);
+      const double drawn = text_extent(character.utf8, height, TextStyle::stroke).width;
+      const double letter = style.typeface.of_sans * text_extent(character.utf8, height, TextStyle::font).width;
+      const double fixed = style.typeface.fixed_em * style.font_size, width = fixed > 0 ? fixed : letter;
+      if (drawn > 0 && letter > 0) character.stretch = std::min(letter, width) / drawn;
+      character.inset = std::max(width - letter, 0.0) / 2;
+      character.advance = width + style.letter_spacing + (blank ? style.word_spacing : 0);
       characters.push_back(std::move(character));
     }
     i += n;
@@ -138,6 +184,7 @@ void TextReader::stretch(const pugi::xml_node& node, const Style& style, std::si
     if (letters) {
       characters[i].stretch *= wanted / natural;
       characters[i].advance *= wanted / natural;
+      characters[i].inset *= wanted / natural;
     } else if (count > 1 && i + 1 < characters.size()) {
       characters[i].advance += (wanted - natural) / static_cast<double>(count - 1);
     }
@@ -153,10 +200,13 @@ void TextReader::gather(const pugi::xml_node& node, const Style& style, int dept
       add(child.value(), style);
     } else if (child.type() == pugi::node_element) {
       const std::string_view name = local_name(child);
-      if (name == "tspan" || name == "a") {
+      const std::shared_ptr<const TextPath> path = name == "textPath" ? path_of_(child) : nullptr;
+      if (name == "tspan" || name == "a" || path) {
         bool displayed = true;
         const Style inside = styled_(child, style, displayed);
+        const std::size_t begin = characters.size();
         if (displayed) gather(child, inside, depth + 1);
+        for (std::size_t i = begin; path && i < characters.size(); ++i) characters[i].path = path;
       } else if (name != "title" && name != "desc" && !name.empty()) {
         unknown.push_back(child);
       }
@@ -168,49 +218,68 @@ void TextReader::gather(const pugi::xml_node& node, const Style& style, int dept
 
 }  // namespace
 
+void SvgReader::draw_letter(const pugi::xml_node& node, const std::string& letter, const Style& style, const Matrix& place,
+                            const Context& context) {
+  const std::optional<Paint>& paint = style.fill && style.fill_seen ? style.fill : style.stroke;
+  if (!has_paint(paint, node) || !style.visible || !(style.font_size > 0)) return;
+  TextItem item;
+  item.text = letter;
+  item.height_mm = style.font_size * kCapitalsOfSize;
+  Polylines lines;
+  result_.boxes += append_stroke_text(item, lines);
+  for (Point2& p : lines.points) {
+    p = context.to_mm(place(p));
+    if (!(std::abs(p.x) <= kFarthestMm && std::abs(p.y) <= kFarthestMm))
+      throw CoordinateRangeError("is farther than a kilometre away");
+  }
+  const std::string color = color_of(*paint, node);
+  Context inside = context;
+  if (inside.layer.empty()) inside.layer = "text";
+  add_lines(lines, inside, color, 0);
+}
+
 void SvgReader::draw_text(const pugi::xml_node& node, const Context& context) {
   if (skip_.contains("text")) return refuse("text", node);
-  TextReader text(context.port, diagnostics_, [&](const pugi::xml_node& child, const Style& inherited, bool& displayed) {
+  const auto styled_inside = [&](const pugi::xml_node& child, const Style& inherited, bool& displayed) {
     Viewport port = context.port;
     port.em = inherited.font_size;
     return styled(child, inherited, port, displayed);
-  });
+  };
+  const auto path_of = [&](const pugi::xml_node& child) {
+    const auto found = ids_.find(std::string(link_of(child)));
+    auto path = found == ids_.end() ? nullptr : text_path(found->second, attributes(context), context.to_mm);
+    if (path) try {
+        for (const double v : lengths(child.attribute("startOffset").value(), context.port, path_length(path->line)))
+          path->start = v;
+      } catch (const std::invalid_argument& e) {
+        diagnostics_.bad_value("startOffset", child, e.what());
+      }
+    return path;
+  };
+  TextReader text(context.port, diagnostics_, styled_inside, path_of);
   text.gather(node, context.style, 0);
   text.trim();
   for (const pugi::xml_node& child : text.unknown) refuse("text", child);
-  std::vector<Character>& characters = text.characters;
+  const std::vector<Character>& characters = text.characters;
   if (characters.empty()) return;
   ++painted_;
   Point2 pen{0, 0};
   for (std::size_t i = 0; i < characters.size(); ++i) {
     const Character& c = characters[i];
-    if (i == 0 || c.x || c.y) {
-      double length = 0;
-      for (std::size_t k = i; k < characters.size() && (k == i || !(characters[k].x || characters[k].y)); ++k)
-        length += characters[k].advance + (k > i ? characters[k].dx : 0);
+    if (c.begins_chunk(i > 0 ? &characters[i - 1] : nullptr)) {
+      double length = c.advance;
+      for (std::size_t k = i + 1; k < characters.size() && !characters[k].begins_chunk(&characters[k - 1]); ++k)
+        length += characters[k].advance + characters[k].dx;
       const double before = c.style.anchor == "middle" ? 0.5 : c.style.anchor == "end" ? 1 : 0;
-      pen = {c.x.value_or(pen.x) - before * length, c.y.value_or(pen.y)};
+      const Point2 begin = c.path ? Point2{c.path->start, 0} : pen;
+      pen = {c.x.value_or(begin.x) - before * length, c.path ? 0 : c.y.value_or(begin.y)};
     }
     pen += Point2{c.dx, c.dy};
-    const Style& style = c.style;
-    const std::optional<Paint>& paint = style.fill && style.fill_seen ? style.fill : style.stroke;
-    if (!c.blank() && has_paint(paint, node) && style.visible && style.font_size > 0) {
-      TextItem item;
-      item.text = c.utf8;
-      item.height_mm = style.font_size * kCapitalsOfSize;
-      item.rotation_degrees = -c.rotate.value_or(0);
-      Polylines lines;
-      result_.boxes += append_stroke_text(item, lines);
-      const Point2 at = pen + Point2{0, style.baseline_em * style.font_size - style.baseline_shift};
-      for (Point2& p : lines.points) {
-        p = context.to_mm(Point2{p.x * c.stretch, p.y} + at);
-        if (!(std::abs(p.x) <= kFarthestMm && std::abs(p.y) <= kFarthestMm))
-          throw CoordinateRangeError("is farther than a kilometre away");
-      }
-      const std::string color = color_of(*paint, node);
-      Context inside = context;
-      if (inside.layer.empty()) inside.layer = "text";
-      add_lines(lines, inside, color, 0);
+    const double up = c.style.baseline_shift - c.style.baseline_em * c.style.font_size, middle = pen.x + c.advance / 2;
+    const std::optional<Matrix> on = c.path ? c.path->at(middle) : Matrix{1, 0, 0, 1, middle, 0};
+    if (on && !c.blank()) {
+      const Matrix place{1, 0, 0, 1, c.inset - c.advance / 2, pen.y - up}, stretch{c.stretch, 0, 0, 1, 0, 0};
+      draw_letter(node, c.utf8, c.style, *on * place * turn(c.rotate.value_or(0)) * stretch, context);
     }
     pen.x += c.advance;
   }

@@ -26,11 +26,6 @@ double argument(Scanner& scanner, const Viewport* port, double whole) {
   return unit.empty() ? value : value * length_px("1" + unit, *port, whole);
 }
 
-Matrix turn(double degrees) {
-  const double c = std::cos(degrees * kDegree), s = std::sin(degrees * kDegree);
-  return {c, s, -s, c, 0, 0};
-}
-
 /// The transform of this name; nothing if there is none with this number of arguments.
 std::optional<Matrix> transform_of(std::string_view name, const std::vector<double>& v) {
   const std::size_t n = v.size();
@@ -58,6 +53,11 @@ std::optional<Matrix> css_transform_of(std::string_view name, const std::vector<
 }
 
 }  // namespace
+
+Matrix turn(double degrees) {
+  const double c = std::cos(degrees * kDegree), s = std::sin(degrees * kDegree);
+  return {c, s, -s, c, 0, 0};
+}
 
 std::optional<double> angle_degrees(std::string_view text) {
   Scanner scanner(trimmed(text));

@@ -83,6 +83,9 @@ double length_px(std::string_view text, const Viewport& port, double whole);
 /// A list of transforms, as an attribute, or with a viewport as a property of CSS, whose numbers have units.
 Matrix transform(std::string_view text, const Viewport* port = nullptr);
 
+/// A rotation about the origin, clockwise on the page.
+Matrix turn(double degrees);
+
 /// Degrees of an angle "90", "90deg", "1.5rad", "100grad" or "0.25turn"; nothing for any other text.
 std::optional<double> angle_degrees(std::string_view text);
 

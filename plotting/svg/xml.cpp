@@ -344,4 +344,10 @@ std::string_view local_name(const pugi::xml_node& node) {
   return name.find(':') == std::string_view::npos ? name : std::string_view();
 }
 
+std::string_view link_of(const pugi::xml_node& node) {
+  std::string_view link = node.attribute("href").value();
+  if (link.empty()) link = node.attribute("xlink:href").value();
+  return link.starts_with('#') ? link.substr(1) : std::string_view();
+}
+
 }  // namespace ligne::svg

@@ -28,4 +28,7 @@ void use_plain_names(pugi::xml_node root);
 /// The name of an element of SVG after use_plain_names(); empty for elements of other namespaces.
 std::string_view local_name(const pugi::xml_node& node);
 
+/// The id of the element of this document to which an element links; empty: none.
+std::string_view link_of(const pugi::xml_node& node);
+
 }  // namespace ligne::svg

@@ -1,4 +1,5 @@
 #include "plotting/svg/style/style.hpp"
+#include "files/message_text.hpp"
 
 #include <algorithm>
 #include <map>
@@ -111,6 +112,7 @@ class StyleReader {
         {"vector-effect", [](StyleReader& r, Text v) { r.set_vector_effect(v); }},
         {"font-size", [](StyleReader& r, Text v) { r.set_font_size(v); }},
         {"font", [](StyleReader& r, Text v) { r.set_font(v); }},
+        {"font-family", [](StyleReader& r, Text v) { r.set_family(v); }},
         {"text-anchor", [](StyleReader& r, Text v) { r.style_.anchor = v; }},
         {"letter-spacing", [](StyleReader& r, Text v) { r.style_.letter_spacing = r.spacing(v); }},
         {"word-spacing", [](StyleReader& r, Text v) { r.style_.word_spacing = r.spacing(v); }},
@@ -253,7 +255,24 @@ class StyleReader {
       value.remove_prefix(word.size());
       Scanner scanner(word);
       const bool weight = word.size() == 3 && word.find_first_not_of("0123456789") == std::string_view::npos;
-      if (scanner.at_number() && !weight) return set_font_size(word.substr(0, word.find('/')));
+      if (!scanner.at_number() || weight) continue;
+      set_family(value);
+      return set_font_size(word.substr(0, word.find('/')));
+    }
+  }
+  /// Sets the widths of the first family with a known word in its name.
+  void set_family(std::string_view families) {
+    static constexpr std::pair<Text, TypefaceWidth> kWords[] = {
+        {"mono", {1, 0.6}},      {"courier", {1, 0.6}}, {"consolas", {1, 0.55}}, {"narrow", {0.72, 0}},
+        {"condensed", {0.8, 0}}, {"dejavu", {1, 0}},    {"verdana", {1, 0}},     {"sans", {}},
+        {"arial", {}},           {"helvetica", {}},     {"times", {0.8, 0}},     {"serif", {0.8, 0}},
+        {"roman", {0.8, 0}},     {"garamond", {0.8, 0}}};
+    style_.typeface = {};
+    for (std::string left = lower_case(families); !left.empty();) {
+      const std::string family = left.substr(0, left.find(','));
+      left.erase(0, family.size() + 1);
+      for (const auto& [word, width] : kWords)
+        if (family.find(word) != std::string::npos) return void(style_.typeface = width);
     }
   }
   /// "url(#id)", with or without quotes.

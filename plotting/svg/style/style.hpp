@@ -25,6 +25,12 @@ struct Paint {
 /// The parts of a shape that are painted one after the other.
 enum class PaintPart : unsigned char { fill, stroke, markers };
 
+/// Widths of the letters of a typeface.
+struct TypefaceWidth {
+  double of_sans = 0.88;  ///< of those of DejaVu Sans; Arial and Helvetica
+  double fixed_em = 0;    ///< width of every letter; 0: each has its own
+};
+
 struct Style {
   std::optional<Paint> stroke;  ///< nothing: no stroke
   std::optional<Paint> fill = Paint{"#000000", {}};
@@ -36,6 +42,7 @@ struct Style {
   std::vector<double> dashes;  ///< in the element's units
   double dash_offset = 0;
   double font_size = 16;
+  TypefaceWidth typeface;
   double letter_spacing = 0, word_spacing = 0;
   double baseline_em = 0;    ///< distance of the base line below the given point, em
   bool keep_blanks = false;  ///< blanks of a text are kept
