@@ -131,6 +131,7 @@ ReadDrawing SvgReader::read() {
   }
   for (std::vector<PaintedLines>& parts : layers_) {
     for (PaintedLines& part : parts) {
+      if (result_.size_assumed) extend_page(part.layer.lines);
       if (part.layer.lines.size() > 0) result_.drawing.layers.push_back(std::move(part.layer));
     }
   }

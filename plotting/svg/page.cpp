@@ -42,6 +42,19 @@ void SvgReader::note_paper(double width, double height) {
   }
 }
 
+/// Extends the sides of the page that are assumed to the lines, less stray points.
+void SvgReader::extend_page(const Polylines& lines) {
+  constexpr double kMostTimes = 10;
+  const double assumed = kAssumedPx * mm_per_px();
+  for (double Page::*side : {&Page::width_mm, &Page::height_mm}) {
+    double& size = result_.page.*side;
+    for (const Point2& p : lines.points) {
+      const double at = side == &Page::width_mm ? p.x : p.y;
+      if (size >= assumed && at > size && at <= kMostTimes * assumed) size = at;
+    }
+  }
+}
+
 /// Sets the size of the page and the transform from its units. If a page gives one side, the viewBox gives the other. A
 /// file that gives no size gets the one that vpype assumes.
 Context SvgReader::place_page(const pugi::xml_node& root) {

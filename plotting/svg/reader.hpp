@@ -90,6 +90,7 @@ class SvgReader {
   Matrix placing_of(const pugi::xml_node& node, const Context& context);
   double mm_per_px() const { return kMmPerInch / reading_.px_per_inch; }
   Context place_page(const pugi::xml_node& root);
+  void extend_page(const Polylines& lines);
   bool enter(const pugi::xml_node& node, Context& context);
   void walk(const pugi::xml_node& node, const Context& around);
   void walk_element(std::string_view name, const pugi::xml_node& node, const Context& around);

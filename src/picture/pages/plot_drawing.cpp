@@ -119,7 +119,7 @@ void warn_of_left_out(const PlotDrawingRequest& request, const std::string& name
       throw std::runtime_error(message_line(name + ": nothing is left to draw; " + read.omitted.text() + place));
     warn(read.omitted.text() + place);
   }
-  if (read.size_assumed) warn("has no size: 1000 px (264.58 mm) assumed");
+  if (read.size_assumed) warn("has no size: 1000 px (264.58 mm) assumed, or as far as its lines reach");
   if (!read.paper_of_view_box.empty()) {
     const std::string dpi = shortest(read.paper_dpi);
     warn("has no size; its viewBox is a paper size (" + read.paper_of_view_box + ") at " + dpi + " dpi, and is read at " +
