@@ -107,6 +107,29 @@ Polylines area_borders(const Polylines& contours, const Area& area) {
   return out;
 }
 
+DividedLines divided(const Polylines& lines, const Area& under, const Clip* under_clip, const Area* over,
+                     const Clip* over_clip) {
+  DividedLines out;
+  Coverage coverage;
+  LineCutter cutter;
+  SideTally tally;
+  for (const bool on : {true, false}) {
+    const auto find_parts = [&](const StepSegment& stroke, std::vector<SeenPart>& parts) {
+      tally.clear();
+      tally.add(coverage.find(stroke, &under, under_clip), SideKind::covered);
+      if (over) tally.add(coverage.find(stroke, over, over_clip), SideKind::own);
+      tally.for_each_part([&](const SideCounts& counts, const Along& end) {
+        const SideCount below = counts[0], own = counts[1];
+        const bool beside = (below.plus > 0 && own.plus == 0) || (below.minus > 0 && own.minus == 0);
+        const bool within = !over || (below.plus > 0 && own.plus > 0) || (below.minus > 0 && own.minus > 0);
+        parts.push_back({end.value, on ? beside && within : !beside});
+      });
+    };
+    for (std::size_t i = 0; i < lines.size(); ++i) cutter.cut(lines[i], on ? out.on : out.off, find_parts);
+  }
+  return out;
+}
+
 Polylines clip_borders(const Area& area, const Clip& clip) {
   Polylines out;
   const auto is_border = [](const CoveredPart& part) { return part.plus != part.minus && !part.on_rim; };

@@ -29,6 +29,17 @@ Polylines clipped(const Polylines& lines, const Clip& clip, const Area* filled =
 /// The parts of the contours that are borders of the area: parts with the area on both sides are left out.
 Polylines area_borders(const Polylines& contours, const Area& area);
 
+/// Lines divided by an area that was painted before them.
+struct DividedLines {
+  Polylines on;   ///< the area lies beside the line, and below the area that the line borders
+  Polylines off;  ///< the area does not lie beside the line, or only below the area that the line borders
+};
+
+/// Divides lines by the visible part of an area. `over`: the area painted on it whose borders the lines are; nullptr:
+/// lines of their own. Borders that both areas have in common, side by side, are in neither part of the result.
+DividedLines divided(const Polylines& lines, const Area& under, const Clip* under_clip, const Area* over,
+                     const Clip* over_clip);
+
 /// The borders where the clip paths cut the area: the parts of their contours with the visible area on exactly one
 /// side, except parts along the contours of the area itself.
 Polylines clip_borders(const Area& area, const Clip& clip);

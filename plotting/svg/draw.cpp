@@ -17,7 +17,6 @@ namespace {
 
 /// Longest chain of gradients that take their colours from others.
 constexpr int kMostPaintLinks = 16;
-constexpr std::string_view kWhite = "#ffffff";
 /// Distance of the strokes that fill an area, in widths of the pen. Adjustable.
 constexpr double kFillSpacing = 0.8;
 /// Most crossings of contours with the lines of hatches, in all.
@@ -31,6 +30,18 @@ constexpr double kMostBorderWork = 1e8;
 constexpr double kLightest = 0.05;
 
 bool is_white(const std::string& color) { return color == kWhite || color == "white"; }
+
+bool is_white_paint(const Paint& paint) { return paint.server.empty() && is_white(paint.color); }
+
+Rect box_around(const Polylines& lines) {
+  Rect box;
+  for (const Point2& p : lines.points) box.extend(p);
+  return box;
+}
+
+bool overlap(const Rect& a, const Rect& b) {
+  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+}
 
 /// Whether a fill of these lines would show: some line leaves its first chord.
 bool has_area(const Polylines& lines) {
@@ -191,23 +202,54 @@ void SvgReader::remove_hidden() {
   }
 }
 
-/// Draws the lines that represent an area without a stroke: its contours, and its borders where clip paths cut it.
+Polylines SvgReader::draw_on_colors(Polylines lines, const Area* white, const Context& context) {
+  Polylines rest;
+  Rect box = box_around(lines);
+  for (auto below = fills_below_.rbegin(); below != fills_below_.rend() && lines.size() > 0; ++below) {
+    if (++white_work_ > kMostBorderWork) break;
+    if (!overlap(box, below->box)) continue;
+    const FilledArea& filled = below->filled;
+    if (!below->area) below->area.emplace(filled.contours, filled.rule, clip_work_);
+    white_work_ += static_cast<double>(lines.points.size()) * std::sqrt(static_cast<double>(filled.contours.points.size()));
+    DividedLines parts = divided(lines, *below->area, filled.clip.get(), white, context.clip.get());
+    lines = std::move(parts.off);
+    box = box_around(lines);
+    if (is_white(below->color))
+      append(rest, parts.on);
+    else
+      add_lines(parts.on, context, below->color, 0);
+  }
+  append(rest, lines);
+  return rest;
+}
+
+/// Draws the lines that represent an area without a stroke: its contours, and its borders where clip paths cut it. Those
+/// of white areas are drawn on the colours below them.
 void SvgReader::draw_rim(const Polylines& contours, const Context& context, const std::string& color) {
-  filled_.try_emplace(painted_, FilledArea{contours, fill_rule(context), context.clip});
-  Context cut = context;
-  cut.clip = nullptr;
+  const bool white = is_white(color);
+  if (!white) filled_.try_emplace(painted_, FilledArea{contours, fill_rule(context), context.clip});
   // Cutting n edges takes n searches, each over the boxes of about sqrt(n) edges.
   const double edges = static_cast<double>(contours.points.size()), work = edges * std::sqrt(edges);
-  if (!context.clip && border_work_ + work > kMostBorderWork) return add_lines(contours, context, color, 0);
+  if (!context.clip && border_work_ + work > kMostBorderWork) {
+    if (!white) add_lines(contours, context, color, 0);
+    return;
+  }
   const Area area(contours, fill_rule(context), clip_work_);
+  Context cut = context;
+  cut.clip = nullptr;
+  Polylines rim;
   if (!context.clip) {
     border_work_ += work;
-    return add_lines(area_borders(drawn_once(contours), area), context, color, 0);
+    rim = area_borders(drawn_once(contours), area);
+  } else {
+    rim = clipped(contours, *context.clip, &area);
+    append(rim, clip_borders(area, *context.clip));
+    rim = drawn_once(rim);
   }
-  Polylines rim = clipped(contours, *context.clip, &area);
-  const Polylines by_clip = clip_borders(area, *context.clip);
-  for (std::size_t i = 0; i < by_clip.size(); ++i) rim.add(by_clip[i]);
-  add_lines(drawn_once(rim), cut, color, 0);
+  if (white)
+    draw_on_colors(rim, &area, context);
+  else
+    add_lines(rim, cut, color, 0);
 }
 
 void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked,
@@ -221,8 +263,8 @@ void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, co
         style.dashes.empty() && stroke_follows ? std::optional(stroke_width_mm(context)) : std::nullopt;
     hide(lines, context, stroked ? as_stroked : white ? std::nullopt : std::optional(0.0));
   }
-  if (white) return;
-  if (fills_.how == FillReading::How::refuse) return refuse("fill", node);
+  if (white && (fills_below_.empty() || !is_opaque_fill(context))) return;
+  if (!white && fills_.how == FillReading::How::refuse) return refuse("fill", node);
   Polylines contours = lines;
   for (std::size_t i = 0; i + 1 < contours.begin.size(); ++i) {
     const auto line = lines[i];
@@ -233,12 +275,14 @@ void SvgReader::draw_fill(const pugi::xml_node& node, const Polylines& lines, co
   }
   if (!stroked) {
     draw_rim(contours, context, color);
-  } else if (context.clip) {
+  } else if (context.clip && !white) {
     Context cut = context;
     cut.clip = nullptr;
     const Area area(contours, fill_rule(context), clip_work_);
     add_lines(drawn_once(clip_borders(area, *context.clip)), cut, color, 0);
   }
+  fills_below_.push_back({FilledArea{contours, fill_rule(context), context.clip}, color, box_around(contours)});
+  if (white) return;
   if (fills_.how == FillReading::How::outline) ++result_.outlined;
   if (fills_.how == FillReading::How::hatch) hatch_fill(contours, context, color);
 }
@@ -282,7 +326,11 @@ bool SvgReader::draw_shape(std::string_view name, const pugi::xml_node& node, co
   Outline outline(lines, to_mm, marked ? &vertices : nullptr);
   if (!outline_shape(name, node, attributes(context), outline)) return false;
   if (!style.visible) return true;
-  const bool stroked = style.stroke_seen && style.stroke_width > 0 && has_paint(style.stroke, node);
+  const bool filled = style.fill_seen && name != "line" && has_area(lines) && has_paint(style.fill, node);
+  // A white stroke is paper beside a coloured area, and would leave nothing of its outline.
+  const bool outlined_by_paper =
+      filled && !skip_.contains("fill") && style.stroke && is_white_paint(*style.stroke) && !is_white_paint(*style.fill);
+  const bool stroked = style.stroke_seen && style.stroke_width > 0 && !outlined_by_paper && has_paint(style.stroke, node);
   bool stroke_follows = stroked;
   for (const PaintPart part : style.paint_order) {
     ++painted_;
@@ -291,7 +339,7 @@ bool SvgReader::draw_shape(std::string_view name, const pugi::xml_node& node, co
     } else if (part == PaintPart::stroke) {
       if (stroked && lines.size() > 0) draw_stroke(node, lines, context);
       stroke_follows = false;
-    } else if (style.fill_seen && name != "line" && has_area(lines) && has_paint(style.fill, node)) {
+    } else if (filled) {
       draw_fill(node, lines, context, stroked, stroke_follows);
     }
   }

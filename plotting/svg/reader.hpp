@@ -63,6 +63,16 @@ struct PaintedLines {
   std::string in_layer{};  ///< layer of the document, or empty
 };
 
+inline constexpr std::string_view kWhite = "#ffffff";
+
+/// A filled area, for white ones and white letters painted later.
+struct FillBelow {
+  FilledArea filled;
+  std::string color;
+  Rect box;
+  std::optional<Area> area{};  ///< made on first use
+};
+
 class SvgReader {
  public:
   SvgReader(std::string_view text, std::string file, const std::set<std::string>& skip, const FillReading& fills,
@@ -120,6 +130,9 @@ class SvgReader {
   double units_of_path_length(const pugi::xml_node& node, Polylines lines, const Context& context);
   static FillRule fill_rule(const Context& context);
   void draw_rim(const Polylines& contours, const Context& context, const std::string& color);
+  /// Draws white lines in the colours of the areas on which they lie, and returns the rest. `white`: the area whose
+  /// borders they are; nullptr: letters.
+  Polylines draw_on_colors(Polylines lines, const Area* white, const Context& context);
   /// `stroked`: a stroke is painted along the fill; `stroke_follows`: after it.
   void draw_fill(const pugi::xml_node& node, const Polylines& lines, const Context& context, bool stroked,
                  bool stroke_follows);
@@ -162,10 +175,12 @@ class SvgReader {
   std::unordered_set<const void*> open_clips_;            ///< clip paths and masks that are being made
   std::size_t linked_ = 0, clip_points_ = 0, boxed_ = 0;
   double border_work_ = 0;  ///< work on contours cut down to borders
+  double white_work_ = 0;   ///< work on white lines on colours
   ClipWork clip_work_ = std::make_shared<std::size_t>(0);
   std::vector<Occluder> occluders_;
   FilledAreas filled_;
-  std::uint32_t painted_ = 0;  ///< number of fills, strokes, markers and texts so far
+  std::vector<FillBelow> fills_below_;  ///< in painting order
+  std::uint32_t painted_ = 0;           ///< number of fills, strokes, markers and texts so far
   double fill_work_ = 0;
   std::string last_clip_;  ///< id and matrix of the clip path that was made last
   ClipPointer last_made_;

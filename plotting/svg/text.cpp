@@ -235,6 +235,8 @@ void SvgReader::draw_letter(const pugi::xml_node& node, const std::string& lette
   const std::string color = color_of(*paint, node);
   Context inside = context;
   if (inside.layer.empty()) inside.layer = "text";
+  // On strokes that fill an area white shows.
+  if (color == kWhite && fills_.how == FillReading::How::outline) lines = draw_on_colors(std::move(lines), nullptr, inside);
   add_lines(lines, inside, color, 0);
 }
 
