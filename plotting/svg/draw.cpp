@@ -47,8 +47,10 @@ bool overlap(const Rect& a, const Rect& b) {
 bool has_area(const Polylines& lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto line = lines[i];
-    for (std::size_t k = 2; k < line.size(); ++k) {
-      const Point2 u = line[1] - line[0], v = line[k] - line[0];
+    Point2 u{0, 0};
+    for (const Point2& p : line) {
+      const Point2 v = p - line[0];
+      if (u == Point2{0, 0}) u = v;
       if (u.x * v.y - u.y * v.x != 0) return true;
     }
   }
