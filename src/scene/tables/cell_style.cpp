@@ -169,7 +169,8 @@ std::vector<std::string_view> cells_of(std::string_view line, char separator) {
 
 bool is_comment_line(std::string_view line) {
   line = trimmed(line);
-  return !line.empty() && (line.front() == '%' || (line.front() == '#' && !begins_with_sheet_error(line)));
+  return !line.empty() && (line.front() == '%' || line.front() == '!' || line.starts_with("//") ||
+                           (line.front() == '#' && !begins_with_sheet_error(line)));
 }
 
 std::string_view without_comment(std::string_view line, char separator) {

@@ -1,5 +1,6 @@
 // Lines "key value", then the heights row by row, starting in the north-west. Rows may be broken into lines anywhere.
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/readers/text_lines.hpp"
@@ -194,7 +195,13 @@ bool is_esri_grid(std::string_view text) {
 }
 
 std::unique_ptr<HeightSource> read_esri_grid(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings) {
-  return EsriReader(as_text(bytes, name), name, warnings).read();
+  std::string_view text = as_text(bytes, name);
+  std::string with_points;
+  if (text.find(',') != std::string_view::npos) {  // decimal commas
+    std::ranges::replace_copy(text, std::back_inserter(with_points), ',', '.');
+    text = with_points;
+  }
+  return EsriReader(text, name, warnings).read();
 }
 
 }  // namespace ligne
