@@ -57,7 +57,7 @@ constexpr ForeignFormat kBeginnings[] = {
     {"# vtk DataFile", "a VTK file", "open it in ParaView and save its surface as PLY or STL"},
     {"$MeshFormat", "a Gmsh mesh", "convert it with: gmsh IN -0 -o OUT.stl"},
     {"MeshVersionFormatted", "a Medit mesh", "convert it with: gmsh IN -0 -o OUT.stl"},
-    {"# .PCD", "a point cloud (PCD)", "it has only points: reconstruct a surface, for example in MeshLab"},
+    {"# .PCD", "a point cloud (PCD)", "it has only points: pcl_pcd2ply IN OUT.ply, then ligne surface --grid OUT.ply"},
     {"DBRep_DrawableShape", "a BREP file of Open CASCADE", kWithFreeCad},
     {{"U3D\0", 4}, "a U3D file", kWithBlender},
 };

@@ -62,8 +62,8 @@ Scene read_off(const ModelReading& in);
 Scene read_ligne_scene(const ModelReading& in);
 
 /// Reads the elements `vertex` (x, y, z of any type) and `face` (list vertex_indices or vertex_index) as one object.
-/// Faces may have any number of corners; other elements and properties are skipped. z up. Throws
-/// InputError, with the line for text. Normals are nx, ny, nz.
+/// Faces may have any number of corners; other elements and properties are skipped. z up. Points without faces are the
+/// vertices of a scene without objects. Throws InputError, with the line for text. Normals are nx, ny, nz.
 Scene read_ply(const ModelReading& in);
 
 /// Reads the polygons of an OBJ file: faces of any number of corners, relative indices, continued lines. Each `o`

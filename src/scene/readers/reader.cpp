@@ -137,7 +137,10 @@ Scene read_scene(const ModelBytes& file, ModelFormat format, const ReadOptions& 
   Scene scene = read_raw({file, counts, warnings, with_shading ? &shading : nullptr,
                           options.subdivision ? &facts.tags : nullptr, options.groups, options.pose},
                          format);
-  if (scene.faces.empty()) throw InputError(name, no_faces(warnings.left_out()));
+  if (scene.faces.empty()) {
+    const bool points = !scene.vertices.empty();
+    throw InputError(name, no_faces(warnings.left_out()) + (points ? "; points are drawn by: ligne surface --grid" : ""));
+  }
   check_size(scene, name);
   if (with_shading) facts.weld = mark_smooth_edges(scene, shading);
   const std::size_t faces = scene.faces.size();

@@ -41,6 +41,7 @@ constexpr ForeignFormat kForeignDataFormats[] = {
     {"BM", "a BMP image", "convert IN -colorspace Gray OUT.png, if its grey is height"},
     {{"\0\0\0\x0CjP  ", 8}, "a JPEG 2000 image", "gdal_translate -of GTiff IN OUT.tif"},
     {"GRIB", "a GRIB file", "gdal_translate -of GTiff -b 1 IN OUT.tif"},
+    {"# .PCD", "a point cloud (PCD)", "pcl_pcd2ply IN OUT.ply"},
     {"LASF", "a cloud of laser points (LAS)", "las2txt --parse xyz IN OUT.txt"},
     {"EHFA_HEADER_TAG", "an ERDAS Imagine file", "gdal_translate -of GTiff IN OUT.tif"},
     {"%PDF", "a PDF document", "it holds pages"},

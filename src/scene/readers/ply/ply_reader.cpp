@@ -58,6 +58,8 @@ class PlyReader {
         in_.shading->corner_normals.push_back(normals_[v]);
       }
     }
+    Scene& points = builder_.scene();
+    if (points.faces.empty() && !points.vertices.empty()) return std::move(points);
     builder_.end_object(precision());
     return builder_.finish(Axis::z, in_.warnings.left_out());
   }
@@ -75,24 +77,12 @@ class PlyReader {
       if (!has("vertex", {axis}, false))
         throw InputError(in_.file.name, "PLY header declares no " + std::string(axis) + " of vertices");
     }
-    bool any = false;
     for (const char* element : {"face", "tristrips"}) {
       if (std::ranges::find(header_.elements, element, &PlyElement::name) == header_.elements.end()) continue;
-      any = true;
       if (has(element, {"vertex_indices", "vertex_index"}, true)) continue;
       throw InputError(in_.file.name, std::string("PLY header declares no list vertex_indices of ") +
                                           (element == std::string_view("face") ? "faces" : element));
     }
-    if (!any) throw InputError(in_.file.name, no_faces(others()));
-  }
-
-  /// Elements of the header that do not belong to a surface.
-  Omissions others() const {
-    Omissions others;
-    for (const PlyElement& element : header_.elements) {
-      if (element.name != "vertex") others.count("items of element " + element.name, element.count);
-    }
-    return others;
   }
 
   std::uint64_t take_length(const PlyProperty& list) {

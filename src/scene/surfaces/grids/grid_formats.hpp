@@ -157,6 +157,8 @@ void drop_missing_values(std::vector<double>& values, std::size_t step, Warnings
 /// (scattered_points.hpp).
 std::unique_ptr<HeightSource> surface_of_rows(const PointRows& rows, const GridChoice& choice, const std::string& name,
                                               Warnings& warnings);
+std::unique_ptr<HeightSource> surface_of_cloud(std::vector<Point3> points, const GridChoice& choice, const std::string& name,
+                                               Warnings& warnings);
 /// Whether most pairs of x and y are different, as for points, but not necessarily for three columns of heights.
 bool are_places(const PointRows& rows);
 

@@ -6,6 +6,7 @@
 
 #include "files/named_input.hpp"
 #include "files/utf16.hpp"
+#include "scene/readers/format_readers.hpp"
 #include "scene/readers/text_lines.hpp"
 #include "scene/surfaces/grids/data_file.hpp"
 #include "scene/surfaces/grids/grid_formats.hpp"
@@ -129,6 +130,12 @@ std::vector<GridSurface> read_surfaces(std::span<const std::byte> bytes, const s
     return surfaces;
   }
   if (const auto format = foreign_data_format(chars)) throw InputError(name, *format);
+  if (chars.starts_with("ply")) {
+    ReadReport counts;
+    Scene cloud = read_ply({{bytes, name}, counts, warnings});
+    if (cloud.faces.empty() && !cloud.vertices.empty())
+      return alone(surface_of_cloud(std::move(cloud.vertices), choice, name, warnings));
+  }
   refuse_models(bytes, name, kWanted);
   if (!may_be_text(chars)) {
     throw InputError(

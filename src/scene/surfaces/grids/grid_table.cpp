@@ -133,6 +133,11 @@ std::unique_ptr<HeightSource> surface_of_rows(const PointRows& rows, const GridC
   }
   warnings.leave_out("rows without x or y", rows.lines.size() - points.size());
   if (points.empty()) throw InputError(name, "holds no row of numbers");
+  return surface_of_cloud(std::move(points), choice, name, warnings);
+}
+
+std::unique_ptr<HeightSource> surface_of_cloud(std::vector<Point3> points, const GridChoice& choice, const std::string& name,
+                                               Warnings& warnings) {
   if (!choice.columns) {
     if (std::unique_ptr<HeightSource> grid = grid_with_holes(points, name, warnings)) return grid;
   }
