@@ -219,7 +219,9 @@ void PartEdges::add_edge(EdgeList& list, const Sample& a, const Sample& b, Facin
   const bool by_curves = options_.hidden_by == HiddenBy::curves;
   const bool rim = nearer == kNoFace || farther == kNoFace;
   const bool folded = is_face(nearer) && is_face(farther) && nearer != farther;
-  const bool outlined = (folded || rim) && !curve && options_.outline;
+  const std::int8_t facing = is_face(nearer) ? nearer : farther;
+  const bool left_out = curve && facing < 0 && options_.underside == Underside::none && !by_curves;
+  const bool outlined = (folded || rim) && (!curve || left_out) && options_.outline;
   bool upper = by_curves && curve, lower = upper && options_.underside != Underside::none;
   if (!covers_ && !by_curves) {
     upper = (!is_face(nearer) || nearer >= 0) && farther != 1;
@@ -229,8 +231,6 @@ void PartEdges::add_edge(EdgeList& list, const Sample& a, const Sample& b, Facin
   if (!curve && !outlined && !upper && !lower && !thickens) return;
   const auto part = eye_.part_in_front(a, b);
   if (!part) return interrupt();
-  const std::int8_t facing = is_face(nearer) ? nearer : farther;
-  const bool left_out = curve && facing < 0 && options_.underside == Underside::none && !by_curves;
   if (left_out) interrupt();
   const bool tested = (curve && !left_out) || outlined;
   if (tested || upper || lower) {
@@ -247,7 +247,7 @@ void PartEdges::add_edge(EdgeList& list, const Sample& a, const Sample& b, Facin
       if (ahead && !by_curves) edge.sides = a.seen.u() > 0 ? LineSides::left : LineSides::right;  // the part is at |u| < 1
       edge.a = placed(list, a);
       edge.b = placed(list, b);
-      edge.curve = curve;
+      edge.curve = outlined ? nullptr : curve;
       ++list.tested;
     }
   }
