@@ -53,7 +53,7 @@ bool is_formula(const std::string& text, FormulaLanguage language) {
 /// True for an option whose value is the next argument.
 bool awaits_value(const std::string& argument) {
   return argument.size() > 1 && argument[0] == '-' && (argument[1] < '0' || argument[1] > '9') &&
-         argument.find('=') == std::string::npos && argument != "--axes" && argument != "--stats" && argument != "--skirt" &&
+         argument.find('=') == std::string::npos && argument != "--axes" && argument != "--stats" &&
          argument != "--north-arrow" && argument != "--legend";
 }
 
