@@ -147,6 +147,8 @@ PenLines lines_of(const PenWork& work, const JoinTolerances* join) {
   if (looks.size() > 1) return pen;
   looks.clear();
   pen.look_of.clear();
+  // Dashes may continue lines of other styles, or lie on them. Gaps between dashes stay.
+  if (join && work.styles.size() > 1) pen.lines = join_strokes(pen.lines, {0, join->overlap_mm, 0, 0});
   return pen;
 }
 
