@@ -18,6 +18,9 @@ namespace {
 constexpr std::size_t kShortNumber = 5;
 /// Largest number of digits of a plain number before or after the point.
 constexpr int kMostPlainDigits = 17;
+/// Largest distance of a tick from the end of its axis, as a fraction of the axis, for which it stands at the end: less
+/// than a pen shows on a page. Samples rarely meet the highest point of a surface, which is often a round number.
+constexpr double kMissedEnd = 0.002;
 /// Largest multiple of a step. Integers are exact in doubles up to here; beyond it neighbouring ticks could be equal.
 constexpr double kMostSteps = 0x1p53 / 10;
 
@@ -131,26 +134,29 @@ struct Step {
   }
 };
 
-/// First and last integer multiple of a step in a range. The range has a slack for the rounding of both ends and of the
-/// division.
+/// First and last integer multiple of a step in a range. The range has a slack: a fraction of it, and the rounding of
+/// both ends and of the division.
 struct Multiples {
   double first = 0, last = -1;
-  Multiples(double from, double to, double step) {
-    const double slack = 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(from), std::abs(to)) / step;
+  Multiples(double from, double to, double step, double fraction = 0) {
+    const double slack = 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(from), std::abs(to)) / step +
+                         fraction * (to / step - from / step);
     first = std::ceil(from / step - slack);
     last = std::floor(to / step + slack);
   }
   double count() const { return last - first + 1; }
 };
 
-std::vector<Decimal> round_numbers(double from, double to, std::size_t most) {
+/// `missed`: fraction of the range by which the first and the last number may lie outside.
+std::vector<Decimal> round_numbers(double from, double to, std::size_t most, double missed) {
   if (from == to) return {decimal_of(from)};
   // The half, since the whole span may overflow a double.
   const double half_span = to / 2 - from / 2;
   if (!(half_span > 0)) return {};
   Step step{1, static_cast<int>(std::floor(std::log10(half_span) - std::log10(static_cast<double>(most)))) - 1};
-  while (step.size() == 0 || Multiples(from, to, step.size()).count() > static_cast<double>(most)) step = step.coarser();
-  const Multiples multiples(from, to, step.size());
+  const auto multiples_of = [&] { return Multiples(from, to, step.size(), missed); };
+  while (step.size() == 0 || multiples_of().count() > static_cast<double>(most)) step = step.coarser();
+  const Multiples multiples = multiples_of();
   if (!(std::abs(multiples.first) < kMostSteps && std::abs(multiples.last) < kMostSteps)) return {};
   std::vector<Decimal> numbers;
   const auto last = static_cast<std::int64_t>(multiples.last);
@@ -173,6 +179,7 @@ double logarithm(Decimal d) { return d.exponent + std::log10(static_cast<double>
 
 std::vector<Tick> with_powers(const std::vector<int>& exponents) {
   std::vector<Tick> ticks;
+  ticks.reserve(exponents.size());
   for (const int e : exponents) ticks.push_back({static_cast<double>(e), power_text(e)});
   return ticks;
 }
@@ -204,7 +211,7 @@ std::vector<Tick> decade_ticks(double from, double to, std::size_t most) {
     if (ticks.size() >= 2 && ticks.size() <= most) return ticks;
   }
   if (decades < 1) {
-    return ticks_at(round_numbers(std::pow(10, from), std::pow(10, to), most),
+    return ticks_at(round_numbers(std::pow(10, from), std::pow(10, to), most, 0),
                     [&](Decimal d) { return std::clamp(logarithm(d), from, to); });
   }
   for (Step step;; step = step.coarser()) {
@@ -222,7 +229,7 @@ std::vector<Tick> decade_ticks(double from, double to, std::size_t most) {
 std::vector<Tick> round_ticks(TickScale scale, double from, double to, std::size_t most) {
   if (!(std::isfinite(from) && std::isfinite(to) && from <= to) || most == 0) return {};
   if (scale == TickScale::decades) return decade_ticks(from, to, most);
-  return ticks_at(round_numbers(from, to, most), [&](Decimal d) { return std::clamp(value_of(d), from, to); });
+  return ticks_at(round_numbers(from, to, most, kMissedEnd), [&](Decimal d) { return std::clamp(value_of(d), from, to); });
 }
 
 }  // namespace ligne

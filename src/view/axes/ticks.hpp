@@ -17,7 +17,8 @@ enum class TickScale {
   decades,  ///< logarithmic: positions are decimal logarithms of the numbers in the labels
 };
 
-/// At most `most` ticks in [from, to], ascending.
+/// At most `most` ticks in [from, to], ascending. The number of a linear tick at an end may miss the end by a five
+/// hundredth of the range.
 /// - linear: at multiples of 1, 2 or 5 times a power of ten, as close as `most` permits.
 /// - decades: at powers of ten, all of them or every 2nd, 5th, 10th and so on; if `most` permits, at 1, 2 and 5 times
 ///   or at 1 to 9 times the powers; in a range of less than a decade, at round numbers.
