@@ -270,7 +270,7 @@ MeshPlot make_meshes(const SurfaceRequest& request, const std::vector<Surface>& 
     plot.box = PlotBox{*box, factor, tick_scales(request), unit};
   }
   if (const auto range = height_range(meshes); range && with_lines) {
-    const std::vector<double> levels = contour_levels(request.curves, (*range)[0], (*range)[1], request.log_axes[2]);
+    const std::vector<double> levels = levels_in_heights(request.curves, (*range)[0], (*range)[1], request.log_axes[2], run);
     if (plot.box) plot.groups = groups_of(request, meshes, water, levels, curves, *plot.box);
     for (SurfaceMesh& mesh : meshes) cut_contours(mesh, levels);
   }

@@ -91,7 +91,7 @@ HorizonRequest horizon_request(const SurfaceRequest& surfaces, Surface& surface,
   request.camera = camera_of(view, box_of(heights, found, horizon.z_scale));
   request.extent = extent_scene(heights, horizon.z_scale, request.camera);
   if (found.empty()) return request;
-  horizon.contours = contour_levels(surfaces.curves, found.low, found.high, surfaces.log_axes[2]);
+  horizon.contours = levels_in_heights(surfaces.curves, found.low, found.high, surfaces.log_axes[2], run);
   horizon.contours_on_surface = surfaces.curves.contours || surfaces.curves.contour_step;
   if (surfaces.curves.contours_base) {
     horizon.contour_base = contour_base_of(surfaces.curves, found.low, found.high);

@@ -72,6 +72,15 @@ std::string short_number(double value) {
   return text;
 }
 
+std::vector<double> levels_in_heights(const CurveRequest& request, double low, double high, bool decades, RunReport& run) {
+  std::vector<double> levels = contour_levels(request, low, high, decades);
+  if (levels.empty() && (request.contour_step || !request.contour_heights.empty())) {
+    const auto height = [&](double z) { return short_number(decades ? std::pow(10.0, z) : z); };
+    run.warn("no contour line lies within the heights, " + height(low) + ":" + height(high));
+  }
+  return levels;
+}
+
 std::array<TickScale, 3> tick_scales(const SurfaceRequest& request) {
   std::array<TickScale, 3> scales{};
   for (std::size_t k = 0; k < 3; ++k) {

@@ -27,6 +27,9 @@ Point3 plot_factor(const SurfaceRequest& request, const AxesBox& box, GroundUnit
 /// Text of a number for messages, with four digits.
 std::string short_number(double value);
 
+/// The contour_levels(). Warns if none of the heights that the request gives lies between `low` and `high`.
+std::vector<double> levels_in_heights(const CurveRequest& request, double low, double high, bool decades, RunReport& run);
+
 /// The kinds of the axes: linear or logarithmic.
 std::array<TickScale, 3> tick_scales(const SurfaceRequest& request);
 
