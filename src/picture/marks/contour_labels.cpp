@@ -294,10 +294,10 @@ std::string height_text(double height, double step, bool decades) {
     constexpr std::size_t kShort = 6;
     if (std::string_view(text).size() > kShort) std::snprintf(text, sizeof text, "%.5g", height);
   }
-  if (std::strtod(text, nullptr) == 0) return "0";
-  std::string result(text);
-  if (result.front() == '-') result.replace(0, 1, "\u2212");
-  return result;
+  // Labels are written as the numbers of an axis are.
+  const double shown = std::strtod(text, nullptr);
+  const std::vector<Tick> number = round_ticks(TickScale::linear, shown, shown, 1);
+  return number.empty() ? text : number.front().label;
 }
 
 TextBox label_box(const TextItem& label, TextStyle style) {

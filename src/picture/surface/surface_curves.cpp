@@ -65,6 +65,10 @@ void add_line_files(const SurfaceRequest& request, const SurfacePoints* ground, 
   }
 }
 
+/// Limits that are smaller than this fraction of the range of heights are written as 0, except given ones: samples miss
+/// the extremes of a formula.
+constexpr double kNegligibleHeight = 1e-6;
+
 std::string band_text(double low, double high) {
   const auto rounded = [](double height) {
     constexpr double kDigits = 1000;  // three after the first
@@ -299,10 +303,16 @@ std::vector<LegendEntry> legend_of(const SurfaceRequest& request, const std::vec
   const auto named = [&](std::size_t i, const std::string& usual) {
     return i < request.names.size() ? request.names[i] : usual;
   };
+  const auto shown = [&](double limit) {
+    const std::vector<double>& given = request.bands->limits;
+    const bool is_none = std::abs(limit) < kNegligibleHeight * (limits.back() - limits.front());
+    return is_none && std::find(given.begin(), given.end(), limit) == given.end() ? 0 : limit;
+  };
   std::size_t number = 0;
   for (std::size_t i = 0; i + 1 < limits.size(); ++i) {
-    legend.push_back({named(number++, band_text(limits[i], limits[i + 1])), band_color(request, i, limits.size() - 1),
-                      "horizon", "band " + std::to_string(i + 1), fills_colors(request)});
+    legend.push_back({named(number++, band_text(shown(limits[i]), shown(limits[i + 1]))),
+                      band_color(request, i, limits.size() - 1), "horizon", "band " + std::to_string(i + 1),
+                      fills_colors(request)});
   }
   for (std::size_t i = 0; limits.empty() && i < surfaces.size(); ++i) {
     LegendEntry entry{named(number++, surfaces[i]), {}, "horizon", {}, fills_colors(request)};
