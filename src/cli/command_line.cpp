@@ -242,7 +242,13 @@ std::vector<std::string> arguments_for(CLI::App& app, int argc, char** argv) {
   const auto formatter = std::make_shared<HelpFormatter>(take_all(arguments));
   app.formatter(formatter);
   for (CLI::App* command : app.get_subcommands(nullptr)) command->formatter(formatter);
-  if (!arguments.empty() && arguments.front() == "surface") protect_formulas(arguments);
+  if (!arguments.empty() && arguments.front() == "surface") {
+    const CLI::App& surface = *app.get_subcommand("surface");
+    protect_formulas(arguments, [&](const std::string& word) {
+      const CLI::Option* const option = word.starts_with('-') ? surface.get_option_no_throw(word) : nullptr;
+      return option && option->get_items_expected_max() > 0;
+    });
+  }
   std::reverse(arguments.begin(), arguments.end());
   return arguments;
 }

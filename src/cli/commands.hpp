@@ -50,7 +50,8 @@ void add_annotation_options(CLI::App& surface, SurfaceRequest& request);
 void setup_surface(CLI::App& app, SurfaceOptions& options);
 
 /// Puts formulas with a leading minus in parentheses, because CLI11 would take them for options: "-x^2" becomes "(-x^2)".
-void protect_formulas(std::vector<std::string>& arguments);
+/// `awaits_value`: whether an argument is an option whose value is the next argument.
+void protect_formulas(std::vector<std::string>& arguments, const std::function<bool(const std::string&)>& awaits_value);
 void run_surface(const SurfaceOptions& options);
 
 /// ligne plot: prepares drawings from files for pen plotters.

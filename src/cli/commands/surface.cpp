@@ -50,13 +50,6 @@ bool is_formula(const std::string& text, FormulaLanguage language) {
   }
 }
 
-/// True for an option whose value is the next argument.
-bool awaits_value(const std::string& argument) {
-  return argument.size() > 1 && argument[0] == '-' && (argument[1] < '0' || argument[1] > '9') &&
-         argument.find('=') == std::string::npos && argument != "--axes" && argument != "--stats" &&
-         argument != "--north-arrow" && argument != "--legend";
-}
-
 }  // namespace
 
 void add_terrain_options(CLI::App& surface, SurfaceRequest& request) {
@@ -123,7 +116,7 @@ void add_annotation_options(CLI::App& surface, SurfaceRequest& request) {
   }
 }
 
-void protect_formulas(std::vector<std::string>& arguments) {
+void protect_formulas(std::vector<std::string>& arguments, const std::function<bool(const std::string&)>& awaits_value) {
   constexpr std::array<std::string_view, 2> kParameters{"u", "v"};
   constexpr std::array<std::string_view, 1> kCurveParameter{"t"};
   std::size_t parametric = 0;  // formulas of --parametric or --curve still expected
