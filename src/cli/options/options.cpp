@@ -75,7 +75,7 @@ Option OptionGroup::add_flag_or_value(const std::string& names, const std::strin
     check_as(name, [&] { take(texts.empty() ? std::string() : texts[0]); });
   };
   CLI::Option* option = command_.add_option_function<std::vector<std::string>>(names, first, help);
-  option->expected(0, 1)->type_name(kind)->group(name_);
+  option->expected(0, 1)->allow_extra_args(false)->type_name(kind)->group(name_);
   return Option(option);
 }
 
