@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include "base/no_index.hpp"
@@ -36,30 +37,35 @@ std::vector<StrokePair> OverlapSearch::find_new(const ComparedStrokes& compared)
   }
   const std::optional<SegmentEnds> newest = file(std::move(added), place);
   const std::span<const SegmentEnds> all(groups_), new_ones = newest ? std::span(&*newest, 1) : all.last(1);
-  constexpr std::size_t kFollowed = 4096;  // ends in a task
-  std::vector<StrokePair> pairs;
-  const auto search = [&](const std::vector<PlacedEnd>& ends) {
-    std::vector<std::vector<StrokePair>> found(block_count(ends.size(), kFollowed));
-    parallel_blocks(ends.size(), kFollowed, [&](std::size_t begin, std::size_t last) {
-      for (std::size_t e = begin; e < last; ++e) {
-        const std::uint32_t own = place[ends[e].segment];
-        if (own == kNone || !(ends[e].p < ends[e].far)) continue;
-        const Stroke& s = strokes[own];
-        const auto compare = [&](const PlacedEnd& end) {
-          const std::uint32_t other = place[end.segment];
-          if (other == kNone || other == own) return;
-          const Stroke& t = strokes[other];
-          if (!(s.needs_overlap_check || t.needs_overlap_check)) return;
-          if (!overlap(s.from, s.to, t.from, t.to, tolerance_)) return;
-          found[begin / kFollowed].push_back({std::max(own, other), std::min(own, other)});
-        };
-        const DirectedSegment segment{s.from, s.to};
-        for (const SegmentEnds& group : compared.is_new(own) ? all : new_ones) group.for_each_along(segment, compare);
-      }
+  // In the order of the trees, neighbours are near each other on the page and in memory.
+  constexpr std::size_t kFollowed = 1024;  // ends in a task
+  std::vector<std::span<const PlacedEnd>> tasks;
+  for (const SegmentEnds& group : groups_) {
+    group.for_each_tree([&](std::span<const PlacedEnd> ends) {
+      for (; !ends.empty(); ends = ends.subspan(tasks.back().size()))
+        tasks.push_back(ends.first(std::min(ends.size(), kFollowed)));
     });
-    for (const std::vector<StrokePair>& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
-  };
-  for (const SegmentEnds& group : groups_) group.for_each_tree(search);
+  }
+  std::vector<std::vector<StrokePair>> found(tasks.size());
+  parallel_for(tasks.size(), [&](std::size_t task) {
+    for (const PlacedEnd& start : tasks[task]) {
+      const std::uint32_t own = place[start.segment];
+      if (own == kNone || !(start.p < start.far)) continue;
+      const Stroke& s = strokes[own];
+      const auto compare = [&](const PlacedEnd& end) {
+        const std::uint32_t other = place[end.segment];
+        if (other == kNone || other == own) return;
+        const Stroke& t = strokes[other];
+        if (!(s.needs_overlap_check || t.needs_overlap_check)) return;
+        if (!overlap(s.from, s.to, t.from, t.to, tolerance_)) return;
+        found[task].push_back({std::max(own, other), std::min(own, other)});
+      };
+      const DirectedSegment segment{s.from, s.to};
+      for (const SegmentEnds& group : compared.is_new(own) ? all : new_ones) group.for_each_along(segment, compare);
+    }
+  });
+  std::vector<StrokePair> pairs;
+  for (const std::vector<StrokePair>& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
   parallel_sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
