@@ -188,7 +188,7 @@ FAMILIES = {
     "needles with intersections": (needles, (150, 450, 1350), []),
     "needles, hidden dashed": (needles, (50, 100, 200), ["--hidden", "dashed"]),
     "boxes about a point": (boxes_about_a_point, (50, 150, 450), []),
-    "boxes about a point, hidden dashed": (boxes_about_a_point, (15, 30, 60), ["--hidden", "dashed"]),
+    "boxes about a point, hidden dashed": (boxes_about_a_point, (30, 60, 120), ["--hidden", "dashed"]),
     "crosses about a point, hidden dashed": (crosses_about_a_point, (30, 60, 120), ["--hidden", "dashed"]),
     "penetrating boxes": (boxes, (1000, 3000, 9000), []),
     "penetrating boxes, hidden dashed": (boxes, (1000, 3000, 9000), ["--hidden", "dashed"]),
