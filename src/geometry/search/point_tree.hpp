@@ -36,7 +36,6 @@ class PointTree {
  public:
   using Point = TreePoint<N, Coordinate>;
   using Box = PointBox<N, Coordinate>;
-
   using Weights = std::array<double, N>;
 
   PointTree() = default;

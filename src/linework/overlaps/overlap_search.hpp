@@ -19,7 +19,7 @@ struct StrokePair {
 
 /// Finds overlaps among strokes of which some are replaced from call to call. The strokes that are added in a call make a
 /// group of their own, or join the group before them when they are at least half as many, or when more than half of its
-/// strokes are gone. So a stroke is filed a few times at most.
+/// strokes are gone. So a stroke is filed O(log n) times.
 class OverlapSearch {
  public:
   explicit OverlapSearch(double tolerance_steps) : tolerance_(tolerance_steps) {}
