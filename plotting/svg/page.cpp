@@ -42,9 +42,9 @@ void SvgReader::note_paper(double width, double height) {
   }
 }
 
-/// Extends the sides of the page that are assumed to the lines, less stray points.
+/// Extends the assumed sides of the page to the lines, except to stray points.
 void SvgReader::extend_page(const Polylines& lines) {
-  constexpr double kMostTimes = 10;
+  constexpr double kMostTimes = 10;  // assumed sides; a point farther away is a stray one. Adjustable.
   const double assumed = kAssumedPx * mm_per_px();
   for (double Page::*side : {&Page::width_mm, &Page::height_mm}) {
     double& size = result_.page.*side;

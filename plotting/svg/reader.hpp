@@ -65,7 +65,7 @@ struct PaintedLines {
 
 inline constexpr std::string_view kWhite = "#ffffff";
 
-/// A filled area, for white ones and white letters painted later.
+/// An area painted so far. White areas and letters painted later are drawn where they lie on its colour.
 struct FillBelow {
   FilledArea filled;
   std::string color;

@@ -27,7 +27,7 @@ enum class PaintPart : unsigned char { fill, stroke, markers };
 
 /// Widths of the letters of a typeface.
 struct TypefaceWidth {
-  double of_sans = 0.88;  ///< of those of DejaVu Sans; Arial and Helvetica
+  double of_sans = 0.88;  ///< as a fraction of those of DejaVu Sans; here of Arial and Helvetica
   double fixed_em = 0;    ///< width of every letter; 0: each has its own
 };
 

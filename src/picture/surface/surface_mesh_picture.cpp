@@ -187,7 +187,7 @@ void thin_curves(const SurfaceRequest& request, const std::vector<Surface>& give
     }
     const Strides strides = strides_apart({ground, points.columns, points.rows, points.x_stride > 0, points.y_stride > 0},
                                           around.placement.view, request.picture.page.pen_width_mm);
-    apply(strides, points, run);
+    set_strides(strides, points, run);
   }
 }
 

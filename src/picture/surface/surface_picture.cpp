@@ -173,7 +173,7 @@ void thin_curves(const Surface& surface, HorizonRequest& horizon, const View& vi
   const Strides strides = strides_apart({horizon.box->in_model(), surface.heights->x().size(), surface.heights->y().size(),
                                          options.x_stride > 0, options.y_stride > 0},
                                         view, pen_width_mm);
-  apply(strides, options, run);
+  set_strides(strides, options, run);
 }
 
 /// Whether the surface of a formula ends or jumps somewhere and may be drawn as a mesh, which can be cut there.

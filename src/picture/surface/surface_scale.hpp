@@ -52,7 +52,7 @@ Strides strides_apart(const GridOnPage& grid, const View& view, double pen_width
 
 /// Sets and reports the strides of the families that are drawn.
 template <class Curves>
-void apply(const Strides& strides, Curves& curves, RunReport& run) {
+void set_strides(const Strides& strides, Curves& curves, RunReport& run) {
   const std::string x = std::to_string(strides.x), y = std::to_string(strides.y);
   if (strides.x > 1 || strides.y > 1)
     run.choices.emplace_back("every", (x == y ? x : x + " x " + y) + ", to keep curves distinct");
