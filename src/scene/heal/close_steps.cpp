@@ -202,6 +202,7 @@ std::vector<Needle> needles_of(const Scene& scene, const Object& object, double 
   std::vector<std::vector<Needle>> found(block_count(count, kShortWorkBlock));
   parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = object.face_begin + begin; f < object.face_begin + end; ++f) {
+      if (is_long_triangle(scene, f, most)) continue;
       if (auto needle = needle_at(scene, static_cast<std::uint32_t>(f), most))
         found[begin / kShortWorkBlock].push_back(std::move(*needle));
     }

@@ -14,7 +14,6 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "base/prefetch.hpp"
 #include "scene/clean/cut_nonplanar.hpp"
 #include "scene/heal/border_edges.hpp"
 #include "scene/heal/border_gaps.hpp"
@@ -58,18 +57,9 @@ void append_short_edges(const Scene& scene, const Object& object, std::vector<Ve
   const std::size_t count = object.face_end - object.face_begin;
   std::vector<std::vector<VertexPair>> found(block_count(count, kShortWorkBlock));
   const double most = kLeastRoundings * object.precision;
-  const std::span<const std::uint32_t> corners = scene.faces.corners();
-  const bool all_triangles = scene.faces.all_triangles();
-  // Nearly all triangles have no such edge, and most edges are long in the direction of x.
-  const auto has_long_edges = [most, corner = corners.data(), at = scene.vertices.data()](std::size_t f) {
-    const Point3 &a = at[corner[3 * f]], &b = at[corner[3 * f + 1]], &c = at[corner[3 * f + 2]];
-    const double least = std::min(std::min(std::abs(a.x - b.x), std::abs(b.x - c.x)), std::abs(c.x - a.x));
-    return least >= most || (!are_within(most, a, b) && !are_within(most, b, c) && !are_within(most, c, a));
-  };
   parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = object.face_begin + begin; f < object.face_begin + end; ++f) {
-      if (all_triangles) prefetch_corners(scene.vertices, corners, f);
-      if (all_triangles && has_long_edges(f)) continue;
+      if (is_long_triangle(scene, f, most)) continue;
       for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
         const std::span<const std::uint32_t> contour = scene.faces.contour(f, c);
         std::uint32_t last = contour.back();

@@ -1,19 +1,9 @@
 #include "scene/heal/merge_ends.hpp"
 
-#include <cmath>
-#include <glm/geometric.hpp>
-
 #include "base/disjoint_sets.hpp"
 #include "scene/clean/clean.hpp"
 
 namespace ligne {
-
-bool are_within(double distance, const Point3& p, const Point3& q) {
-  // Nearly all edges are long in each direction.
-  if (!(std::abs(p.x - q.x) < distance)) return false;
-  const Point3 way = p - q;
-  return glm::dot(way, way) < distance * distance;
-}
 
 std::size_t merge_ends(Scene& scene, std::span<const std::array<std::uint32_t, 2>> edges,
                        std::span<const double> distances) {
