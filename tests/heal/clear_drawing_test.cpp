@@ -101,6 +101,20 @@ TEST(ClearDrawing, DrawsNothingRoundTheTipsOfFaces) {
   }
 }
 
+/// A bar leaves a coarse body within the error of its facets, near the edges of the bar.
+TEST(ClearDrawing, DrawsWholeLinesWhereABarLeavesACoarseBody) {
+  const Scene scene = test::mesh_of(
+                          "grid 16 x 8 triangles round capped: (10+0.9*sin(pi*u/4+1)*sin(pi*(v+0.5)/9))*sin(pi*(v+0.5)/9)"
+                          "*cos(pi*u/8); (7+0.8*sin(pi*(v+0.5)/3))*sin(pi*(v+0.5)/9)*sin(pi*u/8); "
+                          "8*cos(pi*(v+0.5)/9)+0.6*sin(pi*u/8)*sin(pi*(v+0.5)/9)\nobject\n"
+                          "box 3,-1.4,0.3 13,1.5,1.5\nmap: x; y-0.3*(x-10); z+3*(x-10)")
+                          .scene();
+  const auto of_intersections = [&](Quality quality) {
+    return lengths(scene, quality, "iso")[static_cast<std::size_t>(LineClass::intersection)];
+  };
+  EXPECT_NEAR(of_intersections(Quality::clear), of_intersections(Quality::exact), 0.5);
+}
+
 /// The faces of every object in another order.
 Scene shuffled(const Scene& scene, unsigned seed) {
   Scene out = scene;

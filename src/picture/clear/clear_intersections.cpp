@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "base/no_index.hpp"
 #include "geometry/degrees.hpp"
 #include "geometry/nearest_on_segment.hpp"
+#include "linework/map/nodes.hpp"
 #include "scene/contacts/chord_errors.hpp"
 #include "scene/heal/edge_tree.hpp"
 #include "scene/model/faces_and_edges.hpp"
@@ -98,6 +101,10 @@ class ContactErrors {
   const ChordErrors& errors_;
 };
 
+/// Adjustable: least ratio of the length of a way along rims to that of its stroke, which the two have at 32 degrees.
+/// Beside the edge of a coarse mesh a line that leaves the edge may well stay within the error of the mesh.
+constexpr double kLeastAlong = 0.85;
+
 /// Whether the face is turned towards the viewer.
 bool looks_at(const Scene& scene, std::uint32_t face, const Camera& camera) {
   const Point3 sight = camera.perspective ? scene.vertices[scene.faces.contour(face, 0)[0]] - camera.eye : camera.forward;
@@ -115,41 +122,56 @@ class RimLines {
   RimLines(const Scene& scene, const FaceNeighbours& neighbours, const ChordErrors& errors,
            const std::vector<SourceEdge>& segments, double smooth_degrees);
 
-  /// Returns one or two pieces of rims that replace a stroke of an intersection, and appends their sources to
-  /// `model.intersections`. Returns none if the stroke runs along no rim, or along a rim whose class is not in
-  /// `classes`.
-  std::vector<Stroke> pieces(StrokeModel& model, const Stroke& stroke, const View& view, LineClasses classes) const {
-    const SourceEdge segment = model.intersections[stroke.source - model.edge_count];
-    const Point3 from = between(segment.ends[0], segment.ends[1], stroke.t_from);
-    const Point3 to = between(segment.ends[0], segment.ends[1], stroke.t_to);
-    std::vector<Stroke> pieces;
+  /// A place on a rim.
+  struct Place {
+    std::uint32_t rim;
+    double at;  ///< 0 at its v0, 1 at its v1
+  };
+  /// A piece of a rim.
+  struct Piece {
+    Place begin;
+    double end;
+  };
+  /// The way of an intersection along one rim, or along two round their corner.
+  using Path = std::vector<Piece>;
+
+  /// The longest way of a stroke of an intersection along rims of one of its faces. It is empty if the stroke runs along no
+  /// rim whose class is in `classes`.
+  Path path(const SourceEdge& segment, const Stroke& stroke, const View& view, LineClasses classes) const {
+    if (rims_.empty()) return {};
+    const std::array<Point3, 2> tips{between(segment.ends[0], segment.ends[1], stroke.t_from),
+                                     between(segment.ends[0], segment.ends[1], stroke.t_to)};
+    Path longest;
+    double least = kLeastAlong * glm::distance(tips[0], tips[1]);
     for (int k = 0; k < 2; ++k) {
-      const std::uint32_t face = segment.faces[k], other = segment.faces[1 - k];
-      const double error = errors_.of(other);
-      if (error == 0) continue;
-      const double distance = error + object_precision(scene_, face) + object_precision(scene_, other);
-      const auto p = nearest(face, distance, from);
-      if (!p) continue;
-      const auto q = nearest(face, distance, to);
-      if (!q || !classes.has(line_class(rims_[p->rim], view.camera))) continue;
-      if (p->rim == q->rim) {
-        add_piece(model, pieces, stroke, view, *p, q->at);
-        return pieces;
-      }
-      const Rim &r = rims_[p->rim], &s = rims_[q->rim];
-      const bool at_v0 = r.v0 == s.v0 || r.v0 == s.v1, at_v1 = r.v1 == s.v0 || r.v1 == s.v1;
-      if (at_v0 == at_v1) continue;
-      const std::uint32_t corner = at_v0 ? r.v0 : r.v1;
-      // At the tip of a narrow face the two ends may lie near two rims that meet far away, or that turn back there.
-      const Point3 turn = scene_.vertices[corner];
-      const double farthest = distance + std::max(r.distance, s.distance);
-      const Point3 nearest_of_piece = between(from, to, nearest_on_segment(turn, from, to));
-      if (glm::distance(turn, nearest_of_piece) > farthest || glm::dot(from - turn, to - turn) > 0) continue;
-      add_piece(model, pieces, stroke, view, *p, at_v0 ? 0 : 1);
-      add_piece(model, pieces, stroke, view, {q->rim, corner == s.v0 ? 0.0 : 1.0}, q->at);
-      return pieces;
+      Path path = path_on(segment.faces[k], segment.faces[1 - k], tips, view, classes);
+      double length = 0;
+      for (const Piece& piece : path) length += glm::distance(point_at(piece.begin), point_at({piece.begin.rim, piece.end}));
+      if (path.empty() || length < least) continue;
+      least = length;
+      longest = std::move(path);
     }
-    return pieces;
+    return longest;
+  }
+
+  /// Adds a piece of a rim in place of a stroke, and its source to `model.intersections`.
+  void add_piece(StrokeModel& model, const Piece& piece, const Stroke& stroke, const View& view) const {
+    const auto [low, high] = std::minmax(piece.begin.at, piece.end);
+    const Rim& r = rims_[piece.begin.rim];
+    const Point3 a = scene_.vertices[r.v0], b = scene_.vertices[r.v1];
+    const auto tip_at = [&](double t) -> StrokeTip {
+      const HomogeneousPoint p = to_homogeneous(view, between(a, b, t));
+      return {model.lattice.snap({p.x / p.w, p.y / p.w}), static_cast<float>(p.z / p.w), static_cast<float>(p.w)};
+    };
+    Stroke added = stroke_between(stroke, tip_at(low), tip_at(high));
+    if (added.from == added.to) return;
+    added.t_from = low;
+    added.t_to = high;
+    added.source = model.edge_count + static_cast<std::uint32_t>(model.intersections.size());
+    added.line_class = line_class(r, view.camera);
+    added.needs_overlap_check = true;
+    model.intersections.push_back({{a, b}, {r.face, r.neighbour}, false});
+    model.strokes.push_back(added);
   }
 
  private:
@@ -158,38 +180,38 @@ class RimLines {
     std::uint32_t face, neighbour;
     double distance;  ///< the error of its neighbour: distance of the triangles from the exact shape
   };
-  struct Place {
-    std::uint32_t rim;
-    double at;  ///< 0 at its v0, 1 at its v1
-  };
+  /// The way along rims of a face that crosses another one between two tips.
+  Path path_on(std::uint32_t face, std::uint32_t other, const std::array<Point3, 2>& tips, const View& view,
+               LineClasses classes) const {
+    const double error = errors_.of(other);
+    if (error == 0) return {};
+    const double distance = error + object_precision(scene_, face) + object_precision(scene_, other);
+    const auto p = nearest(face, distance, tips[0]);
+    if (!p) return {};
+    const auto q = nearest(face, distance, tips[1]);
+    if (!q || !classes.has(line_class(rims_[p->rim], view.camera))) return {};
+    if (p->rim == q->rim) return {{*p, q->at}};
+    const Rim &r = rims_[p->rim], &s = rims_[q->rim];
+    const bool at_v0 = r.v0 == s.v0 || r.v0 == s.v1, at_v1 = r.v1 == s.v0 || r.v1 == s.v1;
+    if (at_v0 == at_v1) return {};
+    const std::uint32_t corner = at_v0 ? r.v0 : r.v1;
+    // At the tip of a narrow face the two ends may lie near two rims that meet far away, or that turn back there.
+    const Point3 turn = scene_.vertices[corner];
+    const double farthest = distance + std::max(r.distance, s.distance);
+    const Point3 nearest_of_piece = between(tips[0], tips[1], nearest_on_segment(turn, tips[0], tips[1]));
+    if (glm::distance(turn, nearest_of_piece) > farthest || glm::dot(tips[0] - turn, tips[1] - turn) > 0) return {};
+    return {{*p, at_v0 ? 0.0 : 1.0}, {{q->rim, corner == s.v0 ? 0.0 : 1.0}, q->at}};
+  }
+
+  Point3 point_at(const Place& p) const {
+    return between(scene_.vertices[rims_[p.rim].v0], scene_.vertices[rims_[p.rim].v1], p.at);
+  }
   std::optional<Place> nearest(std::uint32_t face, double distance, const Point3& p) const;
 
   LineClass line_class(const Rim& rim, const Camera& camera) const {
     if (rim.neighbour == kNone) return LineClass::border;
     return looks_at(scene_, rim.face, camera) != looks_at(scene_, rim.neighbour, camera) ? LineClass::outline
                                                                                          : LineClass::crease;
-  }
-
-  /// Adds a piece between two places of one rim.
-  void add_piece(StrokeModel& model, std::vector<Stroke>& pieces, const Stroke& stroke, const View& view, const Place& begin,
-                 double to) const {
-    double from = begin.at;
-    if (from > to) std::swap(from, to);
-    const Rim& r = rims_[begin.rim];
-    const Point3 a = scene_.vertices[r.v0], b = scene_.vertices[r.v1];
-    const auto tip_at = [&](double t) -> StrokeTip {
-      const HomogeneousPoint p = to_homogeneous(view, between(a, b, t));
-      return {model.lattice.snap({p.x / p.w, p.y / p.w}), static_cast<float>(p.z / p.w), static_cast<float>(p.w)};
-    };
-    Stroke piece = stroke_between(stroke, tip_at(from), tip_at(to));
-    if (piece.from == piece.to) return;
-    piece.t_from = from;
-    piece.t_to = to;
-    piece.source = model.edge_count + static_cast<std::uint32_t>(model.intersections.size());
-    piece.line_class = line_class(r, view.camera);
-    piece.needs_overlap_check = true;
-    model.intersections.push_back({{a, b}, {r.face, r.neighbour}, false});
-    pieces.push_back(piece);
   }
 
   const Scene& scene_;
@@ -233,6 +255,35 @@ std::optional<RimLines::Place> RimLines::nearest(std::uint32_t face, double dist
   return Place{found.segment, found.at};
 }
 
+/// How the stroke of an intersection is drawn.
+enum class Course : std::uint8_t {
+  own,      ///< it has no path along rims
+  on_rims,  ///< along its path
+  kept      ///< as it is, since a line of which only a part moves would have a gap
+};
+
+/// Keeps the strokes that continue others which are not drawn on rims, and those that continue these. `courses`: those of
+/// the members.
+void keep_whole_lines(const std::vector<Stroke>& strokes, std::span<const std::uint32_t> members,
+                      std::vector<Course>& courses) {
+  const Nodes nodes(strokes, members);
+  std::vector<std::uint32_t> staying;
+  for (std::uint32_t i = 0; i < courses.size(); ++i) {
+    if (courses[i] == Course::own) staying.push_back(i);
+  }
+  while (!staying.empty()) {
+    const std::uint32_t i = staying.back();
+    staying.pop_back();
+    for (const std::uint32_t end : {2 * i, 2 * i + 1}) {
+      nodes.for_each_end(nodes.of(end), [&](std::uint32_t e) {
+        if (courses[e / 2] != Course::on_rims) return;
+        courses[e / 2] = Course::kept;
+        staying.push_back(e / 2);
+      });
+    }
+  }
+}
+
 }  // namespace
 
 void clear_intersections(StrokeModel& model, const Scene& scene, const ProjectedScene& projected, const LineRequest& request,
@@ -246,20 +297,38 @@ void clear_intersections(StrokeModel& model, const Scene& scene, const Projected
   for (const SourceEdge& s : model.intersections) contact.push_back(contacts.is_contact(s));
   const RimLines rims(scene, neighbours, errors, model.intersections, request.crease_degrees);
 
-  const std::size_t segments = model.intersections.size();
-  std::vector<bool> on_rim(segments, false);
-  std::vector<Stroke> strokes, pieces;
+  std::vector<Stroke> strokes;
   std::swap(strokes, model.strokes);
-  for (const Stroke& s : strokes) {
-    const std::size_t i = s.source - std::size_t{model.edge_count};
-    if (s.source < model.edge_count || !model.intersections[i].intersection) {
-      model.strokes.push_back(s);
-    } else if (!contact[i]) {
-      pieces = rims.pieces(model, s, projected.view, request.studied());
-      on_rim[i] = on_rim[i] || !pieces.empty();
-      if (pieces.empty()) pieces.push_back(s);
-      model.strokes.insert(model.strokes.end(), pieces.begin(), pieces.end());
+  std::vector<std::uint32_t> members;
+  std::vector<Course> courses;
+  std::vector<RimLines::Path> paths;  // of the members that have one
+  for (std::uint32_t i = 0; i < strokes.size(); ++i) {
+    if (strokes[i].source < model.edge_count) continue;
+    const std::size_t k = strokes[i].source - std::size_t{model.edge_count};
+    const SourceEdge& segment = model.intersections[k];
+    if (!segment.intersection || contact[k]) continue;
+    members.push_back(i);
+    RimLines::Path path = rims.path(segment, strokes[i], projected.view, request.studied());
+    courses.push_back(path.empty() ? Course::own : Course::on_rims);
+    if (!path.empty()) paths.push_back(std::move(path));
+  }
+  if (!paths.empty()) keep_whole_lines(strokes, members, courses);
+
+  std::vector<bool> on_rim(contact.size(), false);
+  auto path = paths.begin();
+  std::size_t member = 0;
+  for (std::uint32_t i = 0; i < strokes.size(); ++i) {
+    const Stroke& s = strokes[i];
+    const bool is_member = member < members.size() && members[member] == i;
+    const Course course = is_member ? courses[member++] : Course::own;
+    const std::size_t before = model.strokes.size();
+    if (course == Course::on_rims) {
+      for (const RimLines::Piece& piece : *path) rims.add_piece(model, piece, s, projected.view);
+      if (model.strokes.size() > before) on_rim[s.source - std::size_t{model.edge_count}] = true;
     }
+    if (course != Course::own) ++path;
+    const bool is_contact = s.source >= model.edge_count && contact[s.source - std::size_t{model.edge_count}];
+    if (model.strokes.size() == before && !is_contact) model.strokes.push_back(s);
   }
   run.count_clear("intersections of surfaces that touch", static_cast<std::uint64_t>(std::ranges::count(contact, true)));
   run.count_clear("intersections along rims", static_cast<std::uint64_t>(std::ranges::count(on_rim, true)));

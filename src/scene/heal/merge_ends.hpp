@@ -32,8 +32,7 @@ inline bool is_long_triangle(const Scene& scene, std::size_t f, double distance)
   const Point3 &a = corner(0), &b = corner(1), &c = corner(2);
   // Most edges are long in the direction of x.
   const double least = std::min(std::min(std::abs(a.x - b.x), std::abs(b.x - c.x)), std::abs(c.x - a.x));
-  return least >= distance ||
-         (!are_within(distance, a, b) && !are_within(distance, b, c) && !are_within(distance, c, a));
+  return least >= distance || (!are_within(distance, a, b) && !are_within(distance, b, c) && !are_within(distance, c, a));
 }
 
 /// Merges the ends of edges, and drops the faces that vanish. Over a chain of edges, vertices of object i merge with the
