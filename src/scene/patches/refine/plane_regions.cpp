@@ -8,8 +8,10 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
+#include "scene/contacts/chord_errors.hpp"
 #include "scene/creases/face_normals.hpp"
 #include "scene/model/faces_and_edges.hpp"
+#include "scene/model/planarity.hpp"
 #include "scene/patches/refine/chord_corners.hpp"
 
 namespace ligne {
@@ -19,6 +21,11 @@ namespace {
 constexpr double kSameNormalCosine = 1 - 1e-6;
 /// Least cosine between the normals of two faces of one plane: 0.008 degrees, as roundings to float32 turn small faces.
 constexpr double kInPlaneCosine = 1 - 1e-8;
+
+/// Least cosine of the angle by which rounding may have turned a sliver (60 degrees).
+constexpr double kTurnedCosine = 0.5;
+/// Adjustable: length of chains of such slivers.
+constexpr int kLongestChainOfSlivers = 4;
 
 /// A directed side of a face: its first and its second vertex.
 using Side = std::array<std::uint32_t, 2>;
@@ -73,15 +80,67 @@ class RegionFinder {
     for (const auto& [face, plane] : taken) normals_[face] = normals_[plane];
   }
 
-  void join_faces() {
+  /// Whether planes may be one across an edge.
+  bool may_join(std::size_t e) const {
     const std::vector<std::uint32_t>& material = scene_.face_material;
+    const Edge& edge = topology_.edges[e];
+    return edge.face1 != kNone && lines_[e] == 0 && !(topology_.edge_flags[e] & (kEdgeManyFaces | kEdgeUnlikeWound)) &&
+           is_plane(edge.face0) && is_plane(edge.face1) &&
+           (material.empty() || material[edge.face0] == material[edge.face1]);
+  }
+
+  void join_faces() {
     for (std::size_t e = 0; e < topology_.edges.size(); ++e) {
       const Edge& edge = topology_.edges[e];
-      if (edge.face1 == kNone || lines_[e] != 0 || (topology_.edge_flags[e] & (kEdgeManyFaces | kEdgeUnlikeWound))) continue;
-      if (!is_plane(edge.face0) || !is_plane(edge.face1)) continue;
-      if (!material.empty() && material[edge.face0] != material[edge.face1]) continue;
-      if (glm::dot(normals_[edge.face0], normals_[edge.face1]) >= kInPlaneCosine) sets_.join(edge.face0, edge.face1);
+      if (may_join(e) && glm::dot(normals_[edge.face0], normals_[edge.face1]) >= kInPlaneCosine)
+        sets_.join(edge.face0, edge.face1);
     }
+    for (int pass = 0; pass < kLongestChainOfSlivers && join_turned_slivers(); ++pass) {
+    }
+  }
+
+  /// Joins slivers that rounding has turned: sets of faces that lie, within the precision, in the planes of neighbours that
+  /// are larger or do not lie in theirs. Takes the largest of these. Returns whether there are any.
+  bool join_turned_slivers() {
+    std::vector<double> areas(normals_.size(), 0);
+    for (std::uint32_t f = 0; f < normals_.size(); ++f) areas[sets_.find(f)] += glm::length(double_area(scene_, f));
+    std::vector<std::uint32_t> planes(normals_.size(), kNone);  // by the representative face of a set: a neighbour
+    for (std::size_t e = 0; e < topology_.edges.size(); ++e) {
+      if (!may_join(e)) continue;
+      const Edge& edge = topology_.edges[e];
+      for (const auto& [face, other] : {std::pair(edge.face0, edge.face1), std::pair(edge.face1, edge.face0)}) {
+        const std::uint32_t set = sets_.find(face);
+        const double area = areas[sets_.find(other)];
+        if (sets_.find(other) == set || (planes[set] != kNone && area <= areas[sets_.find(planes[set])])) continue;
+        if (lies_in(face, other) && (area > areas[set] || !lies_in(other, face))) planes[set] = other;
+      }
+    }
+    std::vector<std::uint8_t> is_apart(normals_.size(), 0);
+    for (std::uint32_t f = 0; f < normals_.size(); ++f) {
+      const std::uint32_t set = sets_.find(f);
+      if (planes[set] != kNone && !is_apart[set]) is_apart[set] = !lies_in(f, planes[set]);
+    }
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> turned;
+    for (std::uint32_t f = 0; f < normals_.size(); ++f) {
+      const std::uint32_t plane = planes[sets_.find(f)];
+      if (plane != kNone && !is_apart[sets_.find(f)]) turned.emplace_back(f, plane);
+    }
+    for (const auto& [face, plane] : turned) {
+      normals_[face] = normals_[plane];
+      sets_.join(face, plane);
+    }
+    return !turned.empty();
+  }
+
+  /// Whether the corners of a face lie in the plane of another one, within the precision.
+  bool lies_in(std::uint32_t face, std::uint32_t plane) const {
+    const Point3 at = scene_.vertices[scene_.faces.contour(plane, 0)[0]];
+    const double precision = object_precision(scene_, face);
+    return glm::dot(normals_[face], normals_[plane]) >= kTurnedCosine &&
+           std::ranges::all_of(scene_.faces.contour(face, 0), [&](std::uint32_t v) {
+             const Point3 way = scene_.vertices[v] - at;
+             return std::abs(glm::dot(way, normals_[plane])) <= planarity_tolerance(precision, glm::length(way));
+           });
   }
 
   void mark_borders() {
