@@ -191,10 +191,16 @@ TEST(Horizon, IsTheSameForAnyNumberOfThreads) {
     }
 }
 
+// As many columns as curves, but no more than long rows can span in linear time.
+TEST(Horizon, FewLongRowsSpanFewColumns) {
+  EXPECT_EQ(horizon::column_count(400, 0.5, 300, -1), 700u);
+  EXPECT_EQ(horizon::column_count(2, 0, 65'000, 1), 65'002u);
+  EXPECT_LT(horizon::column_count(2, 0.8, 65'000, -0.2), 200u);
+}
+
 TEST(Horizon, HolesEndCurves) {
   const auto with_hole = [](double x, double y) { return std::abs(x) < 0.25 && std::abs(y) < 0.25 ? kNaN : 0.0; };
-  const FunctionHeights source =
-      heights(with_hole, 9);  // positions in steps of a quarter; the hole is the sample in the middle
+  const FunctionHeights source = heights(with_hole, 9);  // in steps of a quarter; the hole is the sample in the middle
   const Drawn picture = drawn(source, along({0, 0, -1}));
   EXPECT_EQ(picture.lines.size(), 20u);
   EXPECT_NEAR(picture.length(), 18 * 190 - 4 * 190 / 8.0, 1e-6);

@@ -2,6 +2,7 @@
 /// Columns of equal width that divide the u axis of the picture, and bands of columns that are studied in parallel.
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -32,6 +33,19 @@ class Columns {
   double u_min_, extent_, width_;
   std::size_t count_;
 };
+
+/// Largest mean number of columns that an edge of a grid spans. With more, a grid of few long rows costs the square of
+/// their number.
+inline constexpr double kMostSpanned = 32;
+
+/// Number of columns for a grid of nx by ny samples whose sides have these widths across the picture: as many as curves,
+/// unless its edges span too many.
+inline std::size_t column_count(std::size_t nx, double width_x, std::size_t ny, double width_y) {
+  const double x = std::abs(width_x), y = std::abs(width_y);
+  const double mean_step = (x / static_cast<double>(nx) + y / static_cast<double>(ny)) / 2;
+  const double most = kMostSpanned * (x + y) / mean_step;
+  return most < static_cast<double>(nx + ny) ? static_cast<std::size_t>(most) : nx + ny;
+}
 
 /// Columns from begin to end - 1.
 struct ColumnRange {

@@ -247,18 +247,18 @@ class PartSweep {
   LineStore& store_;
 };
 
-/// Extent of the grid across the picture.
-std::pair<double, double> u_range(const Camera& camera, const PlaneProjection& projection, const GridAxis& x,
-                                  const GridAxis& y, bool transposed) {
-  if (camera.perspective) return {-1, 1};
-  std::pair<double, double> range{1e300, -1e300};
-  for (const double cx : {x.at.front(), x.at.back()}) {
-    for (const double cy : {y.at.front(), y.at.back()}) {
-      const double u = projection(transposed ? Point3{cy, cx, 0} : Point3{cx, cy, 0}).u();
-      range = {std::min(range.first, u), std::max(range.second, u)};
-    }
-  }
-  return range;
+/// Columns over the extent of the grid across the picture: `resolution` if it is not 0; else as many as the grid has
+/// rows and columns, or fewer where its edges would span too many.
+Columns picture_columns(const Camera& camera, const PlaneProjection& projection, const GridAxis& x, const GridAxis& y,
+                        std::size_t resolution, bool transposed) {
+  const std::size_t count = resolution ? resolution : x.at.size() + y.at.size();
+  if (camera.perspective) return {-1, 1, count};
+  const auto u = [&](double cx, double cy) { return projection(transposed ? Point3{cy, cx, 0} : Point3{cx, cy, 0}).u(); };
+  const std::array corners{u(x.at.front(), y.at.front()), u(x.at.front(), y.at.back()), u(x.at.back(), y.at.front()),
+                           u(x.at.back(), y.at.back())};
+  const auto [from, to] = std::minmax_element(corners.begin(), corners.end());
+  if (resolution) return {*from, *to, count};
+  return {*from, *to, column_count(x.at.size(), corners[2] - corners[0], y.at.size(), corners[1] - corners[0])};
 }
 
 /// The view with its eye moved exactly over samples from which it differs only by rounding.
@@ -301,9 +301,8 @@ HorizonLines sweep_all(const HeightSource& heights, bool transposed, const View&
   std::size_t segments = 0;
   for (const GridAxis::Part& py : parts_y) {
     for (const GridAxis::Part& px : parts_x) {
-      const std::size_t cells = options.resolution ? options.resolution : x.at.size() + y.at.size();
-      const auto range = u_range(camera, PlaneProjection(camera, px.sign, py.sign), x, y, transposed);
-      const Columns columns(range.first, range.second, cells);
+      const Columns columns =
+          picture_columns(camera, PlaneProjection(camera, px.sign, py.sign), x, y, options.resolution, transposed);
       PartSweep<Horizon> sweep({heights, x, y, px, py, transposed}, study, options, columns, store);
       segments += sweep.run(progress);
     }
