@@ -38,6 +38,9 @@ std::vector<double> from_column_major(const std::vector<double>& values, std::sp
 /// numpy's .npy: integers, floats of 16 to 64 bits and booleans, of any byte order.
 bool is_npy(std::string_view bytes);
 DataArray read_npy(std::span<const std::byte> bytes, const std::string& name);
+/// numpy's .npz: an archive of such files alone. Warns of arrays that can not be read.
+inline constexpr std::string_view kNpySuffix = ".npy";
+std::vector<DataArray> read_npz(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings);
 
 /// netCDF classic, with 64-bit offsets, and with 64-bit data: all numeric variables. Applies scales, offsets and fill
 /// values. Of arrays of more than two dimensions it reads the last two, at the `layer`-th index of the others. The

@@ -7,6 +7,7 @@
 
 #include "scene/readers/load_bytes.hpp"
 #include "scene/readers/text_lines.hpp"
+#include "scene/readers/zip_archive.hpp"
 #include "scene/tables/data_array.hpp"
 
 namespace ligne {
@@ -109,6 +110,21 @@ DataArray read_npy(std::span<const std::byte> bytes, const std::string& name) {
     if (!std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
   }
   return array;
+}
+
+std::vector<DataArray> read_npz(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings) {
+  const ZipArchive archive(bytes, name);
+  std::vector<DataArray> arrays;
+  for (const ZipEntry& entry : archive.entries()) {
+    const std::string shown = entry.name.substr(0, entry.name.size() - kNpySuffix.size());
+    try {
+      arrays.push_back(read_npy(archive.read(entry), name));
+      arrays.back().name = shown;
+    } catch (const InputError&) {  // texts and objects of Python
+      warnings.leave_out("array (" + printable(shown) + ")");
+    }
+  }
+  return arrays;
 }
 
 }  // namespace ligne

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "scene/readers/text_lines.hpp"
 
@@ -83,41 +84,75 @@ class TableReader {
     return false;
   }
 
+  std::size_t words_in(std::string_view row) const {
+    std::size_t words = 0;
+    for (bool ended = false; !ended;) words += value_of(take_cell(row, separator(), ended)).kind == CellKind::word;
+    return words;
+  }
+
   bool begins_with_word(std::string_view row) const {
     bool ended = false;
     return value_of(take_cell(row, separator(), ended)).kind == CellKind::word;
   }
 
-  /// The most common number of cells in a row.
+  /// The number of cells of rows: that whose lines hold the most numbers.
   std::size_t usual_count() const {
-    std::vector<std::size_t> counts;
-    for (std::size_t k = 0; k < std::min(lines_.size(), kRowsCounted); ++k)
-      counts.push_back(cells_of(lines_[k].text, separator()).size());
-    std::sort(counts.begin(), counts.end());
+    std::map<std::size_t, std::size_t> numbers;
+    for (std::size_t k = 0; k < std::min(lines_.size(), kRowsCounted); ++k) {
+      const std::vector<std::string_view> cells = cells_of(lines_[k].text, separator());
+      numbers[cells.size()] += static_cast<std::size_t>(std::ranges::count_if(
+          cells, [&](std::string_view cell) { return value_of(cell).kind == CellKind::number; }));
+    }
     std::size_t best = 0, most = 0;
-    for (std::size_t i = 0, end = 0; i < counts.size(); i = end) {
-      while (end < counts.size() && counts[end] == counts[i]) ++end;
-      if (end - i >= most) best = counts[i], most = end - i;
+    for (const auto& [count, here] : numbers) {
+      if (here >= most) best = count, most = here;
     }
     return best;
   }
 
+  /// The first line of so many cells that does not begin with a word, if few rows before it do; else 0.
+  std::size_t first_plain_row(std::size_t usual) const {
+    std::size_t words = 0;
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+      if (cells_of(lines_[k].text, separator()).size() != usual) continue;
+      if (!begins_with_word(lines_[k].text)) return 2 * words <= lines_.size() - k ? k : 0;
+      words += has(CellKind::number, lines_[k].text);
+    }
+    return 0;
+  }
+
   /// Finds the first row of numbers; rows before it become the head.
   std::size_t find_body() {
-    const std::size_t usual = usual_count();
-    std::size_t k = 0, heads = 0;
+    const std::size_t usual = usual_count(), first_plain = first_plain_row(usual);
+    if (first_plain > 0) first_plain_line_ = lines_[first_plain].number;
+    std::size_t k = 0, heads = 0, head_cells = 0;
     for (; k < lines_.size(); ++k) {
       const std::string_view row = lines_[k].text;
       const std::size_t count = cells_of(row, separator()).size();
-      // A line of prose begins with a word and has a different number of cells than the rows.
-      const bool is_prose = count != usual && count + 1 != usual && begins_with_word(row);
+      const bool may_be_head = count == usual || (count + 1 == usual && !has(CellKind::number, row));
+      // Prose, a line "key value", or the number of points.
+      const bool is_prose = may_be_head ? k + 1 < first_plain && has(CellKind::number, row) && words_in(row) > 1
+                                        : count == 1 || begins_with_word(row);
       if (!is_prose && (has(CellKind::number, row) || !has(CellKind::word, row))) break;
-      if (!is_prose && count + 1 >= usual) head_ = row;
+      const bool is_worse = count < head_cells || (!head_.empty() && (row.front() == '[' || row.front() == '('));  // units
+      if (!is_prose && count + 1 >= usual && !is_worse) head_ = row, head_cells = count;
       ++heads;
     }
     const bool names = !head_.empty();
     if (heads > (names ? 1 : 0)) warnings_.leave_out("lines above the first row", heads - (names ? 1 : 0));
+    if (k < lines_.size() && !begins_with_word(lines_[k].text)) drop_prose_below(k, usual);
     return k;
+  }
+
+  /// Instruments write their settings below the table.
+  void drop_prose_below(std::size_t first_row, std::size_t usual) {
+    std::size_t end = lines_.size();
+    const auto is_prose = [&](std::string_view row) {
+      return begins_with_word(row) && cells_of(row, separator()).size() != usual;
+    };
+    while (end > first_row + 1 && is_prose(lines_[end - 1].text)) --end;
+    warnings_.leave_out("lines below the last row", lines_.size() - end);
+    lines_.resize(end);
   }
 
   void add_row(const Line& line, bool is_first) {
@@ -125,7 +160,9 @@ class TableReader {
       warnings_.leave_out("repeated head rows");
       return;
     }
-    if (!is_first && line.blanks_before > 0 && !has(CellKind::number, line.text) && has(CellKind::word, line.text)) {
+    // Heads of further data sets, and units below a row of positions.
+    const bool may_be_head = line.blanks_before > 0 || line.number < first_plain_line_;
+    if (!is_first && may_be_head && !has(CellKind::number, line.text) && has(CellKind::word, line.text)) {
       warnings_.leave_out("head rows of data sets");
       pending_blanks_ += line.blanks_before;
       return;
@@ -198,7 +235,7 @@ class TableReader {
   Table table_;
   std::vector<Line> lines_;
   std::string_view head_, comment_;  ///< the row that names the columns; the comment above the first row
-  std::size_t pending_blanks_ = 0;
+  std::size_t pending_blanks_ = 0, first_plain_line_ = 0;
 };
 
 std::vector<std::string> Table::cells(std::size_t row) const {

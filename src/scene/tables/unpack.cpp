@@ -8,6 +8,7 @@
 #include "files/message_text.hpp"
 #include "scene/readers/format_readers.hpp"
 #include "scene/readers/zip_archive.hpp"
+#include "scene/tables/data_array.hpp"
 
 namespace ligne {
 namespace {
@@ -101,7 +102,7 @@ bool is_office(const ZipArchive& archive) {
   return archive.find("xl/workbook.xml") || archive.find("content.xml") || archive.find("word/document.xml");
 }
 
-UnpackedFile unzipped(std::span<const std::byte> bytes, const std::string& name) {
+std::optional<UnpackedFile> unzipped(std::span<const std::byte> bytes, const std::string& name) {
   const ZipArchive archive(bytes, name);
   if (is_office(archive))
     throw InputError(
@@ -113,11 +114,13 @@ UnpackedFile unzipped(std::span<const std::byte> bytes, const std::string& name)
     ++files;
     alone = &entry;
   }
+  const auto is_npy_file = [](const ZipEntry& entry) { return entry.name.ends_with(kNpySuffix); };
+  if (files > 1 && std::ranges::all_of(archive.entries(), is_npy_file)) return {};
   if (files != 1)
     throw InputError(name, "is a ZIP archive of " + std::to_string(files) + " files: unpack it, and take one of them");
   if (alone->size > kMostUnpacked)
     throw InputError(name, "unpacks to more than " + std::to_string(kMostUnpacked) + " bytes");
-  return {archive.read(*alone), alone->name};
+  return UnpackedFile{archive.read(*alone), alone->name};
 }
 
 }  // namespace

@@ -65,6 +65,7 @@ std::optional<std::vector<DataArray>> read_arrays(std::span<const std::byte> byt
                                                   std::vector<TextColumn>* texts) {
   const std::string_view chars = as_characters(bytes);
   if (is_npy(chars)) return std::vector<DataArray>{read_npy(bytes, name)};
+  if (chars.starts_with("PK\x03\x04")) return read_npz(bytes, name, warnings);  // other archives have been unpacked
   if (is_classic_netcdf(chars)) return read_netcdf(bytes, name, layer);
   if (is_matlab(chars)) return read_matlab(bytes, name, warnings);
   if (!may_be_json(chars)) return {};

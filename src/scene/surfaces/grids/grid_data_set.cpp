@@ -18,6 +18,9 @@ constexpr char kColumnHint[] =
     "; --using X:Y:Z says which columns are the positions and the height, --layout matrix that all are heights, "
     "--layout series that all but the first are";
 
+/// Smallest number of rows of two columns that are more likely the points of a curve than heights.
+constexpr std::size_t kFewestOfCurve = 8;
+
 /// One data set of a table.
 class RowSurface {
  public:
@@ -98,15 +101,12 @@ class RowSurface {
       if (column.numbers > 0 && column.words > 0) throw word_error(table_, k, name_);
       if (column.words == 0) numbers.push_back(k);
     }
-    // A separator at the end of every row makes an empty last column.
-    const TableColumn& last = table_.column(columns_ - 1);
-    const bool empty = last.numbers == 0 && last.words == 0 && ends_empty();
-    if (numbers.size() > 1 && empty) numbers.pop_back();
+    // Separators at the end of every row make empty last columns, as opposed to signs for missing values.
+    const std::vector<std::string> cells = table_.cells(rows_.begin);
+    while (numbers.size() > 1 && table_.column(numbers.back()).numbers == 0 && cells[numbers.back()].empty())
+      numbers.pop_back();
     return numbers;
   }
-
-  /// Whether nothing follows the last separator of the first row, as opposed to a sign for a missing value.
-  bool ends_empty() const { return table_.cells(rows_.begin).back().empty(); }
 
   std::unique_ptr<HeightSource> whole_frame() {
     if (const auto at = names_behind_first()) {
@@ -151,6 +151,8 @@ class RowSurface {
     }
     if (is_named()) check_names(numbers);
     if (auto series = likely_series(numbers)) return {std::move(series), {}};
+    if (numbers.size() == 2 && rows_.size() >= kFewestOfCurve)
+      warnings_.add("columns read as heights over x = 0 and 1; --path FILE draws a curve", 2);
     return {matrix(numbers), {}};
   }
 

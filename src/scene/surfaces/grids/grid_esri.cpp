@@ -1,4 +1,5 @@
 // Lines "key value", then the heights row by row, starting in the north-west. Rows may be broken into lines anywhere.
+// GRASS writes "rows: 20" and the four sides "north: 5000" instead.
 
 #include <algorithm>
 #include <cmath>
@@ -26,11 +27,18 @@ bool is_no_data(double value, double no_data) {
 
 struct Header {
   std::optional<std::int64_t> columns, rows;
-  std::optional<double> x_corner, y_corner, x_center, y_center, dx, dy, no_data;
+  std::optional<double> x_corner, y_corner, x_center, y_center, dx, dy, no_data, north, east;
+
+  /// Derives the size of cells from the sides that GRASS writes.
+  void take_sides() {
+    if (north && y_corner && rows) dy = (*north - *y_corner) / static_cast<double>(*rows);
+    if (east && x_corner && columns) dx = (*east - *x_corner) / static_cast<double>(*columns);
+  }
 };
 
 constexpr std::string_view kKeys[] = {"ncols",    "nrows", "xllcorner", "yllcorner",    "xllcenter", "yllcenter",
-                                      "cellsize", "dx",    "dy",        "nodata_value", "nodata"};
+                                      "cellsize", "dx",    "dy",        "nodata_value", "nodata",
+                                      "north:",   "south:", "east:",    "west:", "rows:", "cols:", "null:", "type:"};
 
 bool is_key(std::string_view word) {
   for (const std::string_view key : kKeys) {
@@ -75,14 +83,18 @@ class EsriReader {
     const std::string_view word = take_word(line);
     if (word.empty() || !trimmed(line).empty()) throw error("key " + shown(key) + " needs one value");
     const auto is = [&](std::string_view name) { return equal_ignoring_case(key, name); };
-    if (is("ncols"))
+    if (is("ncols") || is("cols:"))
       header_.columns = count_in(key, word);
-    else if (is("nrows"))
+    else if (is("nrows") || is("rows:"))
       header_.rows = count_in(key, word);
-    else if (is("xllcorner"))
+    else if (is("xllcorner") || is("west:"))
       header_.x_corner = value_in(key, word);
-    else if (is("yllcorner"))
+    else if (is("yllcorner") || is("south:"))
       header_.y_corner = value_in(key, word);
+    else if (is("north:"))
+      header_.north = value_in(key, word);
+    else if (is("east:"))
+      header_.east = value_in(key, word);
     else if (is("xllcenter"))
       header_.x_center = value_in(key, word);
     else if (is("yllcenter"))
@@ -93,7 +105,7 @@ class EsriReader {
       header_.dx = size_in(key, word);
     else if (is("dy"))
       header_.dy = size_in(key, word);
-    else
+    else if (!is("type:"))
       header_.no_data = value_in(key, word, true);
     return true;
   }
@@ -123,12 +135,13 @@ class EsriReader {
   }
 
   void check_header() {
+    header_.take_sides();
     const auto need = [&](bool holds, const std::string& what) {
       if (!holds) throw InputError(name_, "the header of the ESRI ASCII grid lacks " + what);
     };
     need(header_.columns.has_value(), "ncols");
     need(header_.rows.has_value(), "nrows");
-    need(header_.dx && header_.dy, "cellsize");
+    need(header_.dx && header_.dy && *header_.dx > 0 && *header_.dy > 0, "cellsize");
     need(header_.x_corner || header_.x_center, "xllcorner");
     need(header_.y_corner || header_.y_center, "yllcorner");
     columns_ = static_cast<std::size_t>(*header_.columns);
