@@ -42,6 +42,9 @@ constexpr auto kFunctions = std::to_array<FormulaFunction>({
     {"asin", +[](double a) { return std::asin(a); }},
     {"acos", +[](double a) { return std::acos(a); }},
     {"atan", +[](double a) { return std::atan(a); }},
+    {"arcsin", +[](double a) { return std::asin(a); }},
+    {"arccos", +[](double a) { return std::acos(a); }},
+    {"arctan", +[](double a) { return std::atan(a); }},
     {"sinh", +[](double a) { return std::sinh(a); }},
     {"cosh", +[](double a) { return std::cosh(a); }},
     {"tanh", +[](double a) { return std::tanh(a); }},
@@ -69,6 +72,7 @@ constexpr auto kFunctions = std::to_array<FormulaFunction>({
     {"ceil", +[](double a) { return std::ceil(a); }},
     {"round", +[](double a) { return std::round(a); }},
     {"sign", sign},
+    {"sgn", sign},
     {"atan2", +[](double a, double b) { return std::atan2(a, b); }},
     {"pow", +[](double a, double b) { return std::pow(a, b); }},
     {"hypot", +[](double a, double b) { return std::hypot(a, b); }},
@@ -116,6 +120,7 @@ class Preparation {
   }
 
   FormulaText run() {
+    skip_left_side();
     while (skip_blanks(), at_ < formula_.size()) {
       const char c = formula_[at_];
       if (is_digit(c) || c == '.')
@@ -125,7 +130,10 @@ class Preparation {
       else
         take_sign(c);
     }
-    if (!open_.empty()) throw formula_error(out_.language, open_.back() + 1, "'(' without its ')'");
+    if (!open_.empty()) {
+      throw formula_error(out_.language, open_.back().at + 1,
+                          open_.back().is_bar ? "'|' without a second one" : "'(' without its ')'");
+    }
     if (out_.text.empty()) throw formula_error(out_.language, 1, "is empty");
     out_.columns.push_back(formula_.size() + 1);
     return std::move(out_);
@@ -147,6 +155,15 @@ class Preparation {
     return list;
   }
 
+  /// Skips "z =" or "f(x,y) =".
+  void skip_left_side() {
+    const std::size_t at = formula_.find('=');
+    if (at == std::string_view::npos) return;
+    std::string left(formula_.substr(0, at));
+    std::erase_if(left, is_blank);
+    if ((left == "z" || left == "f(x,y)") && !formula_.substr(at).starts_with("==")) at_ = at + 1;
+  }
+
   void skip_blanks() {
     while (at_ < formula_.size() && (is_blank(formula_[at_]) || formula_[at_] == '\n' || formula_[at_] == '\r')) ++at_;
   }
@@ -157,9 +174,27 @@ class Preparation {
     at_ += length;
   }
 
-  /// Throws if a value follows a value without an operator.
-  void need_operator(std::string_view token) {
-    if (after_value_) throw error("an operator is missing before " + shown(token));
+  /// Multiplies a value by one that follows it without an operator, as in "2x". Throws where that can be meant otherwise:
+  /// before a number, in "x(2)", and in "1/2x".
+  void begin_value(std::string_view token) {
+    if (after_value_) {
+      if (is_digit(token.front()) || token.front() == '.' || is_divisor_ || (token == "(" && is_letter(out_.text.back())))
+        throw error("an operator is missing before " + shown(token));
+      emit("*", 0);
+    }
+    after_value_ = true;
+  }
+
+  void open(std::string_view text, bool is_bar) {
+    open_.push_back({at_, is_bar, is_divisor_});
+    emit(text, 1);
+    after_value_ = is_divisor_ = false;
+  }
+
+  void close() {
+    is_divisor_ = open_.back().is_divisor;
+    open_.pop_back();
+    emit(")", 1);
     after_value_ = true;
   }
 
@@ -170,7 +205,7 @@ class Preparation {
     const std::string_view token(begin, static_cast<std::size_t>(end - begin));
     if (failure == std::errc::invalid_argument) throw error("'.' is not a number");
     if (failure != std::errc{} || !std::isfinite(value)) throw error(shown(token) + " is out of the range of numbers");
-    need_operator(token);
+    begin_value(token);
     emit(token, token.size());
   }
 
@@ -190,7 +225,7 @@ class Preparation {
       throw error(is_call ? "unknown function " + shown(name) + "; there are " + function_names()
                           : "unknown name " + shown(name) + "; there are " + names());
     }
-    need_operator(name);
+    begin_value(name);
     if (has_name(kFunctions, name)) after_value_ = false;
     emit(name, name.size());
   }
@@ -200,22 +235,23 @@ class Preparation {
     for (const Typeset& typeset : kTypeset) {
       if (rest.starts_with(typeset.utf8)) return take_typeset(typeset);
     }
+    if (c == '|' && after_value_ && !open_.empty() && open_.back().is_bar) return close();
+    if (c == '|' && (!after_value_ || !rest.starts_with("||"))) {
+      begin_value("|");
+      return open("abs(", true);
+    }
     for (const std::string_view two : {"<=", ">=", "!=", "==", "&&", "||"}) {
       if (rest.starts_with(two)) return take_operator(two, two.size());
     }
     if (rest.starts_with("**")) return take_operator("^", 2);
     if (c == '=') throw error("assignment is not allowed; use == to compare");
     if (c == '(') {
-      need_operator("(");
-      open_.push_back(at_);
-      return take_operator("(", 1);
+      begin_value("(");
+      return open("(", false);
     }
     if (c == ')') {
-      if (open_.empty()) throw error("')' without its '('");
-      open_.pop_back();
-      emit(")", 1);
-      after_value_ = true;
-      return;
+      if (open_.empty() || open_.back().is_bar) throw error("')' without its '('");
+      return close();
     }
     if (c == ',' && open_.empty()) throw error("',' outside the arguments of a function");
     if (std::string_view("+-*/^<>?:,").find(c) == std::string_view::npos) {
@@ -228,22 +264,29 @@ class Preparation {
 
   /// Inserts the plain form of a typeset character into the text, at the column of the character.
   void take_typeset(const Typeset& typeset) {
-    if (typeset.ascii == "pi") need_operator(typeset.utf8);
+    if (typeset.ascii == "pi") begin_value(typeset.utf8);
     const std::size_t place = at_;
     emit(typeset.ascii, typeset.utf8.size());
     std::fill(out_.columns.end() - static_cast<std::ptrdiff_t>(typeset.ascii.size()), out_.columns.end(), place + 1);
     after_value_ = typeset.ascii.front() == '^' || typeset.ascii == "pi";
+    if (!after_value_) is_divisor_ = typeset.ascii == "/";
   }
 
   void take_operator(std::string_view text, std::size_t length) {
     emit(text, length);
     after_value_ = false;
+    if (text != "^") is_divisor_ = text == "/";
   }
 
   std::string_view formula_;
   std::size_t at_ = 0;
-  bool after_value_ = false;       ///< the token before ended a value
-  std::vector<std::size_t> open_;  ///< positions of the open parentheses
+  bool after_value_ = false;  ///< the token before ended a value
+  bool is_divisor_ = false;   ///< the value is divided by
+  struct Parenthesis {
+    std::size_t at;
+    bool is_bar, is_divisor;
+  };
+  std::vector<Parenthesis> open_;
   FormulaText out_;
 };
 
