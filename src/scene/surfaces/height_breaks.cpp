@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ligne {
 namespace {
@@ -49,6 +50,14 @@ Point3 LineBreaks::last_that_counts(Point3 a, Point3 b) {
   return a;
 }
 
+/// The last numbers on both sides of a place without one.
+LineBreaks::Pair LineBreaks::gap_at(const Point3& a, const Point3& m, const Point3& b) {
+  const HeightWindow window = std::exchange(window_, {});
+  const Pair gap{last_that_counts(a, m), last_that_counts(b, m)};
+  window_ = window;
+  return gap;
+}
+
 /// The two sides of a jump, or of a place without a number, between two numbers; nothing if there is none.
 std::optional<LineBreaks::Pair> LineBreaks::jump(Point3 a, Point3 b) {
   const double first = change(a, b);
@@ -56,19 +65,21 @@ std::optional<LineBreaks::Pair> LineBreaks::jump(Point3 a, Point3 b) {
     const Point3 m = between(a, b);
     if ((m.x == a.x && m.y == a.y) || (m.x == b.x && m.y == b.y)) break;
     if (!is_number(m)) {
-      const HeightWindow all = window_;
-      window_ = {};
-      const Pair gap{last_that_counts(a, m), last_that_counts(b, m)};
-      window_ = all;
-      has_pole_ = has_pole_ || std::max(std::abs(gap.before.z), std::abs(gap.after.z)) > kPoleGrowth * (1 + first);
+      const Pair gap = gap_at(a, m, b);
+      if (std::max(std::abs(gap.before.z), std::abs(gap.after.z)) > kPoleGrowth * (1 + first)) add_pole(gap);
       return gap;
     }
     (change(a, m) > change(m, b) ? b : a) = m;
     if (!(change(a, b) > kJumpPart * first)) return std::nullopt;
   }
   if (!(change(a, b) > kJumpPart * first)) return std::nullopt;
-  has_pole_ = has_pole_ || change(a, b) > kPoleGrowth * first;
+  if (change(a, b) > kPoleGrowth * first) add_pole({a, b});
   return Pair{a, b};
+}
+
+void LineBreaks::add_pole(const Pair& sides) {
+  poles_.low = std::min({poles_.low, sides.before.z, sides.after.z});
+  poles_.high = std::max({poles_.high, sides.before.z, sides.after.z});
 }
 
 /// Finds all jumps between two numbers, in the order of the line.
@@ -99,7 +110,7 @@ std::optional<LineBreaks::Pair> LineBreaks::peak(Point3 a, Point3 b) {
     }
   }
   if (is_number(m) && !(std::abs(m.z) > kPoleGrowth * first)) return std::nullopt;
-  has_pole_ = true;
+  add_pole(is_number(m) ? Pair{m, m} : gap_at(a, m, b));
   return Pair{a, b};
 }
 
@@ -157,7 +168,7 @@ std::vector<LinePiece> LineBreaks::pieces(const Point3& a, const Point3& b, bool
   };
   // Adds the piece from an end of the line to a border. Pieces are added in the order of the line.
   const auto add = [&](const Point3& end, const Point3& border, bool from_start) {
-    has_pole_ = has_pole_ || diverges(border, end);
+    if (diverges(border, end)) add_pole({border, border});
     LinePiece& piece = found.emplace_back();
     (from_start ? piece.from_start : piece.to_end) = true;
     if (!is_point(border, end)) piece.points.push_back(border);

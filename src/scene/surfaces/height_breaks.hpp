@@ -20,6 +20,8 @@ struct HeightWindow {
   bool holds(double z) const { return z >= low && z <= high && z - z == 0; }
 };
 
+inline constexpr HeightWindow kNoHeights{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+
 /// A part of a line on which the surface has no break.
 struct LinePiece {
   bool from_start = false, to_end = false;  ///< whether it reaches the ends of the line
@@ -45,8 +47,8 @@ class LineBreaks {
   Point3 point(Point2 p) { return {p.x, p.y, at_(p.x, p.y)}; }
   bool counts(const Point3& p) const { return window_.holds(p.z); }
 
-  /// Whether heights grew without bound where a line was bisected.
-  bool has_pole() const { return has_pole_; }
+  /// Range of the heights where these seemed to grow without bound as a line was bisected; low > high if none did.
+  HeightWindow poles() const { return poles_; }
 
  private:
   struct Pair {
@@ -56,6 +58,8 @@ class LineBreaks {
   Point3 between(const Point3& a, const Point3& b) { return point({a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2}); }
   Point3 last_that_counts(Point3 a, Point3 b);
   std::optional<Pair> jump(Point3 a, Point3 b);
+  void add_pole(const Pair& sides);
+  Pair gap_at(const Point3& a, const Point3& m, const Point3& b);
   void find_jumps(const Point3& a, const Point3& b, double least, int most, std::vector<Pair>& found);
   std::optional<Pair> peak(Point3 a, Point3 b);
   std::optional<Point3> crossing(Point3 a, Point3 b);
@@ -65,7 +69,7 @@ class LineBreaks {
 
   HeightFunction::At& at_;
   HeightWindow window_;
-  bool has_pole_ = false;
+  HeightWindow poles_ = kNoHeights;
 };
 
 }  // namespace ligne

@@ -18,6 +18,9 @@ constexpr double kLeftOut = 0.05, kAdded = 0.5;
 /// Number of rows and of columns that are sampled to estimate the usual range of heights.
 constexpr std::size_t kSampledRows = 256;
 
+/// Distance of heights at a pole from the usual range of heights, relative to that range.
+constexpr double kBeyondUsual = 0.5;
+
 /// Ratio of the full range of heights to the trimmed one above which a pole is searched.
 constexpr double kFarOut = 4;
 /// Largest number of steps of a climb, from the width of a cell down to the resolution of doubles.
@@ -49,6 +52,14 @@ bool climbs_to_pole(const HeightSource& heights, const HeightFunction& function,
   return found;
 }
 
+/// Whether heights that seem to grow without bound leave the usual range. Those of sin(1/x) do not.
+bool leaves_usual_range(const HeightWindow& poles, const HeightSource& heights) {
+  if (poles.low > poles.high) return false;
+  const HeightWindow usual = window_without_poles(heights);
+  const double beyond = kBeyondUsual * (usual.high - usual.low);
+  return poles.low < usual.low - beyond || poles.high > usual.high + beyond;
+}
+
 /// Searches a pole at a single point, which no line between samples meets, by climbing from the highest and the lowest
 /// sample.
 bool has_pole_at_a_point(const HeightSource& heights, const HeightFunction& function, const SampleSpan& span) {
@@ -78,8 +89,8 @@ Irregularity find_irregularity(const HeightSource& heights, const HeightFunction
   if (!span.any) return {false, false, true, span};
   const BrokenEdges broken = find_broken_edges(heights, function, window, span.range());
   const bool is_whole = window.low == HeightWindow{}.low && window.high == HeightWindow{}.high;
-  const bool has_pole =
-      broken.has_pole || (is_whole && !function.is_continuous() && has_pole_at_a_point(heights, function, span));
+  const bool has_pole = !function.is_continuous() && (leaves_usual_range(broken.poles, heights) ||
+                                                      (is_whole && has_pole_at_a_point(heights, function, span)));
   return {has_pole || !broken.edges.empty() || !span.all, has_pole, false, span};
 }
 

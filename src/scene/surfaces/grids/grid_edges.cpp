@@ -187,19 +187,19 @@ BrokenEdges find_broken_edges(const HeightSource& heights, const HeightFunction&
                               double range) {
   const std::size_t rows = heights.y().size();
   std::vector<std::vector<BrokenEdge>> found(block_count(rows, kRowsAtATime));
-  std::vector<char> poles(found.size(), 0);
+  std::vector<HeightWindow> poles(found.size());
   parallel_blocks(rows, kRowsAtATime, [&](std::size_t begin, std::size_t end) {
     const EdgeFinder finder(heights, window, range, !function.is_continuous(), begin, end);
     function.use([&](HeightFunction::At& at) {
       LineBreaks breaks(at, window);
       finder.find(breaks, found[begin / kRowsAtATime]);
-      poles[begin / kRowsAtATime] = breaks.has_pole();
+      poles[begin / kRowsAtATime] = breaks.poles();
     });
   });
   BrokenEdges all;
   for (std::size_t block = 0; block < found.size(); ++block) {
     std::move(found[block].begin(), found[block].end(), std::back_inserter(all.edges));
-    all.has_pole = all.has_pole || (poles[block] && !function.is_continuous());
+    all.poles = {std::min(all.poles.low, poles[block].low), std::max(all.poles.high, poles[block].high)};
   }
   return all;
 }

@@ -22,8 +22,8 @@ struct BrokenEdge {
 };
 
 struct BrokenEdges {
-  std::vector<BrokenEdge> edges;  ///< ascending by first sample
-  bool has_pole = false;
+  std::vector<BrokenEdge> edges;    ///< ascending by first sample
+  HeightWindow poles = kNoHeights;  ///< range of the heights that were reached at poles
 };
 
 /// Largest invisible height, relative to the range of heights.
