@@ -65,9 +65,11 @@ void add_line_files(const SurfaceRequest& request, const SurfacePoints* ground, 
   }
 }
 
-/// Limits that are smaller than this fraction of the range of heights are written as 0, except given ones: samples miss
-/// the extremes of a formula.
-constexpr double kNegligibleHeight = 1e-6;
+/// Largest distance of a height from a round number, as a fraction of the range of heights, for which the bands end at
+/// that number, as ticks do: samples miss the extremes of a formula.
+constexpr double kMissedEnd = 0.002;
+
+std::string without_folder(const std::string& file) { return file.substr(file.rfind('/') + 1); }
 
 std::string band_text(double low, double high) {
   const auto rounded = [](double height) {
@@ -206,6 +208,11 @@ void add_curves(const DrawnCurves& drawn, const Point3& factor, LineGroups& grou
 std::vector<double> band_limits(const SurfaceRequest& request, double low, double high) {
   std::vector<double> limits;
   if (!request.bands || !(low < high)) return limits;
+  const double range = high - low, unit = std::pow(10., std::floor(std::log10(range)) - 1);
+  for (double* end : {&low, &high}) {
+    const double number = std::round(*end / unit) * unit;
+    if (std::abs(number - *end) <= kMissedEnd * range) *end = number;
+  }
   limits.push_back(low);
   for (const double limit : request.bands->limits) {
     if (low < limit && limit < high) limits.push_back(limit);
@@ -303,19 +310,15 @@ std::vector<LegendEntry> legend_of(const SurfaceRequest& request, const std::vec
   const auto named = [&](std::size_t i, const std::string& usual) {
     return i < request.names.size() ? request.names[i] : usual;
   };
-  const auto shown = [&](double limit) {
-    const std::vector<double>& given = request.bands->limits;
-    const bool is_none = std::abs(limit) < kNegligibleHeight * (limits.back() - limits.front());
-    return is_none && std::find(given.begin(), given.end(), limit) == given.end() ? 0 : limit;
-  };
   std::size_t number = 0;
   for (std::size_t i = 0; i + 1 < limits.size(); ++i) {
-    legend.push_back({named(number++, band_text(shown(limits[i]), shown(limits[i + 1]))),
-                      band_color(request, i, limits.size() - 1), "horizon", "band " + std::to_string(i + 1),
-                      fills_colors(request)});
+    legend.push_back({named(number++, band_text(limits[i], limits[i + 1])), band_color(request, i, limits.size() - 1),
+                      "horizon", "band " + std::to_string(i + 1), fills_colors(request)});
   }
   for (std::size_t i = 0; limits.empty() && i < surfaces.size(); ++i) {
-    LegendEntry entry{named(number++, surfaces[i]), {}, "horizon", {}, fills_colors(request)};
+    const bool is_file = i >= request.formulas.size() && i + request.parametric.size() < surfaces.size();
+    LegendEntry entry{
+        named(number++, is_file ? without_folder(surfaces[i]) : surfaces[i]), {}, "horizon", {}, fills_colors(request)};
     if (!request.colors.empty()) {
       entry.color = request.colors[i % request.colors.size()];
       entry.object = "surface " + std::to_string(i + 1);
@@ -328,7 +331,7 @@ std::vector<LegendEntry> legend_of(const SurfaceRequest& request, const std::vec
   }
   for (std::size_t i = 0; i < request.line_files.size(); ++i) {
     const std::string object = "curve " + std::to_string(request.space_curves.size() + i + 1);
-    legend.push_back({named(number++, request.line_files[i]), {}, "curve", object});
+    legend.push_back({named(number++, without_folder(request.line_files[i])), {}, "curve", object});
   }
   return legend;
 }

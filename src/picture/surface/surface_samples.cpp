@@ -83,7 +83,8 @@ bool is_undersampled(const HeightSource& heights, const HeightFunction& function
 
 constexpr unsigned kCurves = 40;
 /// Default number of samples between two neighbouring curves: smooth, but by default at most a thousand along a curve.
-constexpr unsigned kSamplesBetween = 5, kSamplesAlong = 1000;
+/// Fewer curves have as many samples in all as the default number.
+constexpr unsigned kSamplesBetween = 5, kSamplesAlong = 1000, kFewestAlong = kSamplesBetween * (kCurves - 1);
 
 /// Largest number of samples of a formula that are stored (32 MB), since a picture uses each several times. Larger
 /// surfaces are computed again each time.
@@ -106,7 +107,8 @@ Positions positions(CurveRange range, bool crossed, const std::optional<unsigned
   if (crossed && samples) {
     result.stride = std::max(1u, (*samples - 1 + intervals - 1) / intervals);
   } else if (crossed) {
-    result.stride = std::clamp(kSamplesAlong / intervals, 1u, kSamplesBetween);
+    const unsigned between = std::max(kSamplesBetween, (kFewestAlong + intervals - 1) / intervals);
+    result.stride = std::clamp(kSamplesAlong / intervals, 1u, between);
   }
   const std::size_t n = result.stride * intervals;
   for (std::size_t i = 0; i <= n; ++i) {
