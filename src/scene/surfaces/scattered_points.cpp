@@ -49,7 +49,9 @@ class TriangulatedFunction : public HeightFunction {
   }
 
   bool is_continuous() const override { return true; }
-  bool empty() const { return std::all_of(left_out_.begin(), left_out_.end(), [](char out) { return out != 0; }); }
+  bool empty() const {
+    return std::all_of(left_out_.begin(), left_out_.end(), [](char out) { return out != 0; });
+  }
 
   void use(FunctionRef<void(At&)> work) const override {
     PointAt at(*this);
@@ -215,7 +217,7 @@ std::unique_ptr<HeightSource> surface_of_points(std::vector<Point3> points, std:
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  const auto on_a_line = [&] { return InputError(name, "has only points along a line, which make no surface; --path FILE draws the line"); };
+  const auto on_a_line = [&] { return InputError(name, "has only points along a line, which make no surface"); };
   if (points.size() < 3 || !(low.x < high.x) || !(low.y < high.y) || !std::isfinite(high.x - low.x + high.y - low.y))
     throw on_a_line();
   const PlaneLattice lattice{low, (high - low) / (2. * kLatticeLimit)};

@@ -230,7 +230,8 @@ bool may_be_json(std::string_view text) {
   const std::size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
   const std::size_t next = text.find_first_not_of(kBlanks, begin + 1);
   const char first = next == std::string_view::npos ? '\0' : text[next];
-  if (text.substr(begin, 1) == "[") return std::string_view("[]{\"-0123456789nNI").find(first) != std::string_view::npos;  // no section of settings
+  if (text.substr(begin, 1) == "[")
+    return std::string_view("[]{\"-0123456789nNI").find(first) != std::string_view::npos;  // no section of settings
   return text.substr(begin, 1) == "{";
 }
 

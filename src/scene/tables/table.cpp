@@ -100,8 +100,8 @@ class TableReader {
     std::map<std::size_t, std::size_t> numbers;
     for (std::size_t k = 0; k < std::min(lines_.size(), kRowsCounted); ++k) {
       const std::vector<std::string_view> cells = cells_of(lines_[k].text, separator());
-      numbers[cells.size()] += static_cast<std::size_t>(std::ranges::count_if(
-          cells, [&](std::string_view cell) { return value_of(cell).kind == CellKind::number; }));
+      numbers[cells.size()] += static_cast<std::size_t>(
+          std::ranges::count_if(cells, [&](std::string_view cell) { return value_of(cell).kind == CellKind::number; }));
     }
     std::size_t best = 0, most = 0;
     for (const auto& [count, here] : numbers) {

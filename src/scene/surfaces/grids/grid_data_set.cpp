@@ -152,7 +152,7 @@ class RowSurface {
     if (is_named()) check_names(numbers);
     if (auto series = likely_series(numbers)) return {std::move(series), {}};
     if (numbers.size() == 2 && rows_.size() >= kFewestOfCurve)
-      warnings_.add("columns read as heights over x = 0 and 1; --path FILE draws a curve", 2);
+      warnings_.add("columns read as heights over x = 0 and 1: points of a curve make no surface", 2);
     return {matrix(numbers), {}};
   }
 

@@ -36,9 +36,9 @@ struct Header {
   }
 };
 
-constexpr std::string_view kKeys[] = {"ncols",    "nrows", "xllcorner", "yllcorner",    "xllcenter", "yllcenter",
-                                      "cellsize", "dx",    "dy",        "nodata_value", "nodata",
-                                      "north:",   "south:", "east:",    "west:", "rows:", "cols:", "null:", "type:"};
+constexpr std::string_view kKeys[] = {
+    "ncols",  "nrows",  "xllcorner", "yllcorner", "xllcenter", "yllcenter", "cellsize", "dx",    "dy",   "nodata_value",
+    "nodata", "north:", "south:",    "east:",     "west:",     "rows:",     "cols:",    "null:", "type:"};
 
 bool is_key(std::string_view word) {
   for (const std::string_view key : kKeys) {
