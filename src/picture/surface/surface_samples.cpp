@@ -200,7 +200,6 @@ void add_grids(const SurfaceRequest& request, const std::string& file, std::vect
   Warnings warnings;
   const bool whole = request.x || request.y;  // a window of a large grid keeps all samples
   GridChoice choice{request.gridded, request.every, !whole};
-  choice.band = request.band;
   choice.layout = request.layout;
   choice.data_set = request.data_set;
   choice.using_columns = request.using_columns;

@@ -227,12 +227,10 @@ class JsonArrays {
 bool may_be_json(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   constexpr char kBlanks[] = " \t\r\n";
-  const std::size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
-  const std::size_t next = text.find_first_not_of(kBlanks, begin + 1);
-  const char first = next == std::string_view::npos ? '\0' : text[next];
-  if (text.substr(begin, 1) == "[")
-    return std::string_view("[]{\"-0123456789nNI").find(first) != std::string_view::npos;  // no section of settings
-  return text.substr(begin, 1) == "{";
+  const std::size_t begin = text.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos || text[begin] != '[') return begin != std::string_view::npos && text[begin] == '{';
+  const std::size_t next = text.find_first_of("[]{\"-0123456789nNI", begin + 1);  // no section of settings
+  return next != std::string_view::npos && next == text.find_first_not_of(kBlanks, begin + 1);
 }
 
 std::vector<DataArray> read_json_arrays(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,

@@ -77,18 +77,13 @@ class TableReader {
 
   CellValue value_of(std::string_view cell) const { return cell_value(cell, table_.style_.numbers); }
 
-  bool has(CellKind kind, std::string_view row) const {
-    for (bool ended = false; !ended;) {
-      if (value_of(take_cell(row, separator(), ended)).kind == kind) return true;
-    }
-    return false;
+  std::size_t count(CellKind kind, std::string_view row) const {
+    std::size_t found = 0;
+    for (bool ended = false; !ended;) found += value_of(take_cell(row, separator(), ended)).kind == kind;
+    return found;
   }
 
-  std::size_t words_in(std::string_view row) const {
-    std::size_t words = 0;
-    for (bool ended = false; !ended;) words += value_of(take_cell(row, separator(), ended)).kind == CellKind::word;
-    return words;
-  }
+  bool has(CellKind kind, std::string_view row) const { return count(kind, row) > 0; }
 
   bool begins_with_word(std::string_view row) const {
     bool ended = false;
@@ -98,14 +93,11 @@ class TableReader {
   /// The number of cells of rows: that whose lines hold the most numbers.
   std::size_t usual_count() const {
     std::map<std::size_t, std::size_t> numbers;
-    for (std::size_t k = 0; k < std::min(lines_.size(), kRowsCounted); ++k) {
-      const std::vector<std::string_view> cells = cells_of(lines_[k].text, separator());
-      numbers[cells.size()] += static_cast<std::size_t>(
-          std::ranges::count_if(cells, [&](std::string_view cell) { return value_of(cell).kind == CellKind::number; }));
-    }
+    for (const Line& line : std::span(lines_).first(std::min(lines_.size(), kRowsCounted)))
+      numbers[cells_of(line.text, separator()).size()] += count(CellKind::number, line.text);
     std::size_t best = 0, most = 0;
-    for (const auto& [count, here] : numbers) {
-      if (here >= most) best = count, most = here;
+    for (const auto& [cells, here] : numbers) {
+      if (here >= most) best = cells, most = here;
     }
     return best;
   }
@@ -128,31 +120,31 @@ class TableReader {
     std::size_t k = 0, heads = 0, head_cells = 0;
     for (; k < lines_.size(); ++k) {
       const std::string_view row = lines_[k].text;
-      const std::size_t count = cells_of(row, separator()).size();
-      const bool may_be_head = count == usual || (count + 1 == usual && !has(CellKind::number, row));
+      const std::size_t cells = cells_of(row, separator()).size();
+      const bool has_number = has(CellKind::number, row),
+                 may_be_head = cells == usual || (cells + 1 == usual && !has_number);
       // Prose, a line "key value", or the number of points.
-      const bool is_prose = may_be_head ? k + 1 < first_plain && has(CellKind::number, row) && words_in(row) > 1
-                                        : count == 1 || begins_with_word(row);
-      if (!is_prose && (has(CellKind::number, row) || !has(CellKind::word, row))) break;
-      const bool is_worse = count < head_cells || (!head_.empty() && (row.front() == '[' || row.front() == '('));  // units
-      if (!is_prose && count + 1 >= usual && !is_worse) head_ = row, head_cells = count;
+      const bool is_prose = may_be_head ? k + 1 < first_plain && has_number && count(CellKind::word, row) > 1
+                                        : cells == 1 || begins_with_word(row);
+      if (!is_prose && (has_number || !has(CellKind::word, row))) break;
+      const bool is_worse = cells < head_cells || (!head_.empty() && (row.front() == '[' || row.front() == '('));  // units
+      if (!is_prose && cells + 1 >= usual && !is_worse) head_ = row, head_cells = cells;
       ++heads;
     }
     const bool names = !head_.empty();
     if (heads > (names ? 1 : 0)) warnings_.leave_out("lines above the first row", heads - (names ? 1 : 0));
-    if (k < lines_.size() && !begins_with_word(lines_[k].text)) drop_prose_below(k, usual);
+    if (k < lines_.size() && !begins_with_word(lines_[k].text)) drop_prose_below(usual);
     return k;
   }
 
-  /// Instruments write their settings below the table.
-  void drop_prose_below(std::size_t first_row, std::size_t usual) {
-    std::size_t end = lines_.size();
-    const auto is_prose = [&](std::string_view row) {
-      return begins_with_word(row) && cells_of(row, separator()).size() != usual;
+  /// Drops the settings that instruments write below the rows.
+  void drop_prose_below(std::size_t usual) {
+    const auto is_row = [&](const Line& line) {
+      return !begins_with_word(line.text) || cells_of(line.text, separator()).size() == usual;
     };
-    while (end > first_row + 1 && is_prose(lines_[end - 1].text)) --end;
-    warnings_.leave_out("lines below the last row", lines_.size() - end);
-    lines_.resize(end);
+    const auto end = std::find_if(lines_.rbegin(), lines_.rend(), is_row).base();
+    warnings_.leave_out("lines below the last row", static_cast<std::size_t>(lines_.end() - end));
+    lines_.erase(end, lines_.end());
   }
 
   void add_row(const Line& line, bool is_first) {

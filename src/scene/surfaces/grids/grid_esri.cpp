@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "scene/readers/text_lines.hpp"
 #include "scene/surfaces/grids/grid_formats.hpp"
@@ -36,15 +37,19 @@ struct Header {
   }
 };
 
-constexpr std::string_view kKeys[] = {
-    "ncols",  "nrows",  "xllcorner", "yllcorner", "xllcenter", "yllcenter", "cellsize", "dx",    "dy",   "nodata_value",
-    "nodata", "north:", "south:",    "east:",     "west:",     "rows:",     "cols:",    "null:", "type:"};
+constexpr std::string_view kKeys[] = {"ncols", "cols:", "nrows", "rows:", "cellsize", "dx", "dy", "type:"};
+
+/// Keys with a number of any size.
+constexpr std::pair<std::string_view, std::optional<double> Header::*> kValues[] = {
+    {"xllcorner", &Header::x_corner}, {"west:", &Header::x_corner},       {"yllcorner", &Header::y_corner},
+    {"south:", &Header::y_corner},    {"xllcenter", &Header::x_center},   {"yllcenter", &Header::y_center},
+    {"north:", &Header::north},       {"east:", &Header::east},           {"null:", &Header::no_data},
+    {"nodata", &Header::no_data},     {"nodata_value", &Header::no_data},
+};
 
 bool is_key(std::string_view word) {
-  for (const std::string_view key : kKeys) {
-    if (equal_ignoring_case(word, key)) return true;
-  }
-  return false;
+  return std::ranges::any_of(kKeys, [&](std::string_view key) { return equal_ignoring_case(word, key); }) ||
+         std::ranges::any_of(kValues, [&](const auto& key) { return equal_ignoring_case(word, key.first); });
 }
 
 class EsriReader {
@@ -83,30 +88,13 @@ class EsriReader {
     const std::string_view word = take_word(line);
     if (word.empty() || !trimmed(line).empty()) throw error("key " + shown(key) + " needs one value");
     const auto is = [&](std::string_view name) { return equal_ignoring_case(key, name); };
-    if (is("ncols") || is("cols:"))
-      header_.columns = count_in(key, word);
-    else if (is("nrows") || is("rows:"))
-      header_.rows = count_in(key, word);
-    else if (is("xllcorner") || is("west:"))
-      header_.x_corner = value_in(key, word);
-    else if (is("yllcorner") || is("south:"))
-      header_.y_corner = value_in(key, word);
-    else if (is("north:"))
-      header_.north = value_in(key, word);
-    else if (is("east:"))
-      header_.east = value_in(key, word);
-    else if (is("xllcenter"))
-      header_.x_center = value_in(key, word);
-    else if (is("yllcenter"))
-      header_.y_center = value_in(key, word);
-    else if (is("cellsize"))
-      header_.dx = header_.dy = size_in(key, word);
-    else if (is("dx"))
-      header_.dx = size_in(key, word);
-    else if (is("dy"))
-      header_.dy = size_in(key, word);
-    else if (!is("type:"))
-      header_.no_data = value_in(key, word, true);
+    if (is("ncols") || is("cols:")) header_.columns = count_in(key, word);
+    if (is("nrows") || is("rows:")) header_.rows = count_in(key, word);
+    if (is("dx") || is("cellsize")) header_.dx = size_in(key, word);
+    if (is("dy") || is("cellsize")) header_.dy = size_in(key, word);
+    for (const auto& [name, value] : kValues) {
+      if (is(name)) header_.*value = value_in(key, word, value == &Header::no_data);
+    }
     return true;
   }
 
