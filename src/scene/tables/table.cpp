@@ -126,9 +126,12 @@ class TableReader {
       // Prose, a line "key value", or the number of points.
       const bool is_prose = may_be_head ? k + 1 < first_plain && has_number && count(CellKind::word, row) > 1
                                         : cells == 1 || begins_with_word(row);
-      if (!is_prose && (has_number || !has(CellKind::word, row))) break;
+      const bool is_empty = !has_number && !has(CellKind::word, row);
+      const std::string_view next = k + 1 < lines_.size() ? lines_[k + 1].text : row;
+      const bool is_above_names = is_empty && !has(CellKind::number, next) && has(CellKind::word, next);
+      if (!is_prose && (has_number || is_empty) && !is_above_names) break;
       const bool is_worse = cells < head_cells || (!head_.empty() && (row.front() == '[' || row.front() == '('));  // units
-      if (!is_prose && cells + 1 >= usual && !is_worse) head_ = row, head_cells = cells;
+      if (!is_prose && !is_empty && cells + 1 >= usual && !is_worse) head_ = row, head_cells = cells;
       ++heads;
     }
     const bool names = !head_.empty();
