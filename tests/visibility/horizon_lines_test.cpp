@@ -1,5 +1,4 @@
-// Lines that the horizon draws beside curves, point by point against rays to the viewer: contour lines, lines on the base,
-// lines behind the surface.
+// Lines beside curves, point by point against rays to the viewer: contours, lines on the base, lines behind the surface.
 
 #include "height_functions.hpp"
 
