@@ -175,10 +175,11 @@ class Preparation {
   }
 
   /// Multiplies a value by one that follows it without an operator, as in "2x". Throws where that can be meant otherwise:
-  /// before a number, in "x(2)", and in "1/2x".
+  /// before a number, in "x(2)", in "1/2x", and in "e^2x".
   void begin_value(std::string_view token) {
     if (after_value_) {
-      if (is_digit(token.front()) || token.front() == '.' || is_divisor_ || (token == "(" && is_letter(out_.text.back())))
+      if (is_digit(token.front()) || token.front() == '.' || is_divisor_ || is_exponent_ ||
+          (token == "(" && is_letter(out_.text.back())))
         throw error("an operator is missing before " + shown(token));
       emit("*", 0);
     }
@@ -188,7 +189,7 @@ class Preparation {
   void open(std::string_view text, bool is_bar) {
     open_.push_back({at_, is_bar, is_divisor_});
     emit(text, 1);
-    after_value_ = is_divisor_ = false;
+    after_value_ = is_divisor_ = is_exponent_ = false;
   }
 
   void close() {
@@ -196,6 +197,7 @@ class Preparation {
     open_.pop_back();
     emit(")", 1);
     after_value_ = true;
+    is_exponent_ = false;
   }
 
   void take_number() {
@@ -273,6 +275,9 @@ class Preparation {
   }
 
   void take_operator(std::string_view text, std::size_t length) {
+    const bool after_number =
+        !out_.text.empty() && std::string_view("0123456789.ei").find(out_.text.back()) != std::string_view::npos;
+    is_exponent_ = text == "^" && after_number;  // also after e and pi
     emit(text, length);
     after_value_ = false;
     if (text != "^") is_divisor_ = text == "/";
@@ -282,6 +287,7 @@ class Preparation {
   std::size_t at_ = 0;
   bool after_value_ = false;  ///< the token before ended a value
   bool is_divisor_ = false;   ///< the value is divided by
+  bool is_exponent_ = false;  ///< the value is an exponent of a number, which may go on
   struct Parenthesis {
     std::size_t at;
     bool is_bar, is_divisor;
