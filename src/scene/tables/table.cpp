@@ -93,8 +93,13 @@ class TableReader {
   /// The number of cells of rows: that whose lines hold the most numbers.
   std::size_t usual_count() const {
     std::map<std::size_t, std::size_t> numbers;
-    for (const Line& line : std::span(lines_).first(std::min(lines_.size(), kRowsCounted)))
-      numbers[cells_of(line.text, separator()).size()] += count(CellKind::number, line.text);
+    for (std::size_t k = 0; k < std::min(lines_.size(), kRowsCounted); ++k) {
+      std::string_view row = lines_[k].text;
+      std::size_t cells = 0, found = 0;
+      for (bool ended = false; !ended; ++cells)
+        found += value_of(take_cell(row, separator(), ended)).kind == CellKind::number;
+      numbers[cells] += found;
+    }
     std::size_t best = 0, most = 0;
     for (const auto& [cells, here] : numbers) {
       if (here >= most) best = cells, most = here;
@@ -102,11 +107,11 @@ class TableReader {
     return best;
   }
 
-  /// The first line of so many cells that does not begin with a word, if few rows before it do; else 0.
-  std::size_t first_plain_row(std::size_t usual) const {
+  /// The first line with the usual number of cells that does not begin with a word, if few rows before it do; else 0.
+  std::size_t first_plain_row() const {
     std::size_t words = 0;
     for (std::size_t k = 0; k < lines_.size(); ++k) {
-      if (cells_of(lines_[k].text, separator()).size() != usual) continue;
+      if (cells_of(lines_[k].text, separator()).size() != usual_) continue;
       if (!begins_with_word(lines_[k].text)) return 2 * words <= lines_.size() - k ? k : 0;
       words += has(CellKind::number, lines_[k].text);
     }
@@ -115,14 +120,15 @@ class TableReader {
 
   /// Finds the first row of numbers; rows before it become the head.
   std::size_t find_body() {
-    const std::size_t usual = usual_count(), first_plain = first_plain_row(usual);
+    usual_ = usual_count();
+    const std::size_t first_plain = first_plain_row();
     if (first_plain > 0) first_plain_line_ = lines_[first_plain].number;
     std::size_t k = 0, heads = 0, head_cells = 0;
     for (; k < lines_.size(); ++k) {
       const std::string_view row = lines_[k].text;
       const std::size_t cells = cells_of(row, separator()).size();
       const bool has_number = has(CellKind::number, row),
-                 may_be_head = cells == usual || (cells + 1 == usual && !has_number);
+                 may_be_head = cells == usual_ || (cells + 1 == usual_ && !has_number);
       // Prose, a line "key value", or the number of points.
       const bool is_prose = may_be_head ? k + 1 < first_plain && has_number && count(CellKind::word, row) > 1
                                         : cells == 1 || begins_with_word(row);
@@ -131,19 +137,19 @@ class TableReader {
       const bool is_above_names = is_empty && !has(CellKind::number, next) && has(CellKind::word, next);
       if (!is_prose && (has_number || is_empty) && !is_above_names) break;
       const bool is_worse = cells < head_cells || (!head_.empty() && (row.front() == '[' || row.front() == '('));  // units
-      if (!is_prose && !is_empty && cells + 1 >= usual && !is_worse) head_ = row, head_cells = cells;
+      if (!is_prose && !is_empty && cells + 1 >= usual_ && !is_worse) head_ = row, head_cells = cells;
       ++heads;
     }
     const bool names = !head_.empty();
     if (heads > (names ? 1 : 0)) warnings_.leave_out("lines above the first row", heads - (names ? 1 : 0));
-    if (k < lines_.size() && !begins_with_word(lines_[k].text)) drop_prose_below(usual);
+    if (k < lines_.size() && !begins_with_word(lines_[k].text)) drop_prose_below();
     return k;
   }
 
   /// Drops the settings that instruments write below the rows.
-  void drop_prose_below(std::size_t usual) {
+  void drop_prose_below() {
     const auto is_row = [&](const Line& line) {
-      return !begins_with_word(line.text) || cells_of(line.text, separator()).size() == usual;
+      return !begins_with_word(line.text) || cells_of(line.text, separator()).size() == usual_;
     };
     const auto end = std::find_if(lines_.rbegin(), lines_.rend(), is_row).base();
     warnings_.leave_out("lines below the last row", static_cast<std::size_t>(lines_.end() - end));
@@ -190,7 +196,7 @@ class TableReader {
 
   void name_columns() {
     // The number of cells of most rows counts: blanks within a name at the end of a row add cells.
-    const std::size_t usual = usual_count(), columns = usual > 0 ? usual : table_.row(0).size();
+    const std::size_t columns = usual_ > 0 ? usual_ : table_.row(0).size();
     const bool from_comment = head_.empty() && !comment_.empty();
     if (head_.empty() && !from_comment) return;
     std::vector<std::string> names;
@@ -230,7 +236,7 @@ class TableReader {
   Table table_;
   std::vector<Line> lines_;
   std::string_view head_, comment_;  ///< the row that names the columns; the comment above the first row
-  std::size_t pending_blanks_ = 0, first_plain_line_ = 0;
+  std::size_t usual_ = 0, pending_blanks_ = 0, first_plain_line_ = 0;
 };
 
 std::vector<std::string> Table::cells(std::size_t row) const {
