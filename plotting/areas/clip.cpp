@@ -103,7 +103,7 @@ Polylines clipped(const Polylines& lines, const Clip& clip, const Area* filled) 
 Polylines area_borders(const Polylines& contours, const Area& area) {
   Polylines out;
   append_parts(
-      contours, &area, nullptr, [](const CoveredPart& part) { return !part.plus || !part.minus; }, out);
+      contours, &area, nullptr, [](const CoveredPart& part) { return part.plus != part.minus; }, out);
   return out;
 }
 
