@@ -66,7 +66,7 @@ Context SvgReader::place_page(const pugi::xml_node& root) {
   const std::optional<std::array<double, 4>> box = given.view_box(root);
   const auto told = [&](const char* name) -> std::optional<double> {
     const std::string_view value = trimmed(root.attribute(name).value());
-    if (value.empty() || value.ends_with('%') || value.ends_with("vw") || value.ends_with("vh")) return {};
+    if (value.empty() || depends_on_window(value)) return {};
     const double side = given.x(root, name, -1);
     return side >= 0 ? std::optional(side) : std::nullopt;
   };

@@ -65,6 +65,9 @@ struct PaintedLines {
 
 inline constexpr std::string_view kWhite = "#ffffff";
 
+/// Whether a length of the root depends on a window around the page, which paper does not have.
+bool depends_on_window(std::string_view length);
+
 /// An area painted so far. White areas and letters painted later are drawn where they lie on its colour.
 struct FillBelow {
   FilledArea filled;

@@ -31,11 +31,6 @@ const GeometryProperty* geometry_property(std::string_view name) {
   return nullptr;
 }
 
-/// Whether a length of the root depends on a window around the page, which paper does not have.
-bool depends_on_window(std::string_view length) {
-  return length == "auto" || length.ends_with('%') || length.ends_with("vw") || length.ends_with("vh");
-}
-
 /// The data in "path('M0 0')", with or without a fill rule; nothing in "none".
 std::string_view path_in(std::string_view value) {
   if (value == "none") return {};
@@ -45,6 +40,10 @@ std::string_view path_in(std::string_view value) {
 }
 
 }  // namespace
+
+bool depends_on_window(std::string_view length) {
+  return length.find_first_of("%vV") != std::string_view::npos || length == "auto";
+}
 
 /// Writes a property to the attribute that it overrides. An invalid one is reported and ignored.
 void SvgReader::apply_geometry(pugi::xml_node node, const Declaration& declaration) {
