@@ -243,7 +243,7 @@ void SvgReader::walk_element(std::string_view name, const pugi::xml_node& node, 
   if (name == "switch") return walk_switch(node, context);
   if (name == "svg") return walk_viewport(node, context, node);
   if (name == "use") return follow_use(node, context);
-  if (name == "text") return context.style.visible ? draw_text(node, context) : void();
+  if (name == "text" || name == "flowRoot") return context.style.visible ? draw_text(node, context) : void();
   // Viewers show neither unknown elements nor their children: notes of editors and of plotter software.
   if (!draw_shape(name, node, context)) leave_out("<" + printable(name) + "> elements", node);
 }

@@ -48,7 +48,7 @@ void SvgReader::extend_box(const pugi::xml_node& node, const Context& context, c
     for (const Point2 p : lines.points) box.extend(p);
     return;
   }
-  if (name != "g" && name != "a" && name != "use" && name != "switch") return;
+  if (name != "g" && name != "a" && name != "use" && name != "switch" && name != "flowRegion") return;
   const auto extend = [&](const pugi::xml_node& child, const Matrix& m) {
     Context inside = context;
     ++inside.depth;

@@ -58,10 +58,14 @@ struct Character {
   double dx = 0, dy = 0;
   double advance = 0, stretch = 1;         ///< of its letter
   double inset = 0;                        ///< of a narrow letter, where all have one width
+  int paragraph = 0;                       ///< its number in a flowRoot
   std::shared_ptr<const TextPath> path{};  ///< nullptr: on a straight line
   bool blank() const { return utf8 == " "; }
   bool begins_chunk(const Character* before) const { return !before || x || y || path != before->path; }
 };
+
+/// The part of its length by which a chunk is shifted back.
+double shift_of(const Style& style) { return style.anchor == "middle" ? 0.5 : style.anchor == "end" ? 1 : 0; }
 
 bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
 
@@ -87,6 +91,8 @@ class TextReader {
 
   /// Collects the characters inside the element, whose style is given.
   void gather(const pugi::xml_node& node, const Style& style, int depth);
+  /// Breaks the lines of a flowRoot (SVG 1.2) at the width of a box.
+  void flow(const Rect& box);
   /// Drops blanks at the end, which no viewer shows.
   void trim() {
     while (!characters.empty() && characters.back().blank() && !characters.back().style.keep_blanks) characters.pop_back();
@@ -118,6 +124,7 @@ class TextReader {
   const Diagnostics& diagnostics_;
   Styled styled_;
   PathOf path_of_;
+  int paragraph_ = 0;
 };
 
 void TextReader::add(std::string_view text, const Style& style) {
@@ -130,6 +137,7 @@ void TextReader::add(std::string_view text, const Style& style) {
       Character character;
       character.utf8 = blank ? " " : std::string(text.substr(i, n));
       character.style = style;
+      character.paragraph = paragraph_;
       // Letters of single strokes are a quarter wider than those of most typefaces, for which a text leaves room.
       const double height = style.font_size * kCapitalsOfSize;
       const double drawn = text_extent(character.utf8, height, TextStyle::stroke).width;
@@ -197,23 +205,50 @@ void TextReader::gather(const pugi::xml_node& node, const Style& style, int dept
   const std::size_t first = characters.size();
   for (const pugi::xml_node& child : node) {
     if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata) {
-      add(child.value(), style);
+      if (local_name(node) != "flowRoot") add(child.value(), style);
     } else if (child.type() == pugi::node_element) {
       const std::string_view name = local_name(child);
       const std::shared_ptr<const TextPath> path = name == "textPath" ? path_of_(child) : nullptr;
-      if (name == "tspan" || name == "a" || path) {
+      if (name == "flowPara" || name == "flowDiv") ++paragraph_;
+      if (name == "tspan" || name == "a" || path || (name.starts_with("flow") && !name.starts_with("flowRegion"))) {
         bool displayed = true;
         const Style inside = styled_(child, style, displayed);
         const std::size_t begin = characters.size();
         if (displayed) gather(child, inside, depth + 1);
         for (std::size_t i = begin; path && i < characters.size(); ++i) characters[i].path = path;
-      } else if (name != "title" && name != "desc" && !name.empty()) {
+      } else if (name != "title" && name != "desc" && !name.empty() && !name.starts_with("flow")) {
         unknown.push_back(child);
       }
     }
   }
   place(node, style, first);
   stretch(node, style, first);
+}
+
+void TextReader::flow(const Rect& box) {
+  constexpr double kBaseLine = 0.35;  // below the middle of a line, em
+  double y = box.min.y;
+  int paragraph = 1;
+  for (std::size_t first = 0, end = 0; first < characters.size(); first = end) {
+    Character& begin = characters[first];
+    double width = 0, size = 0, height = 0;
+    const auto is_left = [&](std::size_t i) { return i < characters.size() && characters[i].paragraph == begin.paragraph; };
+    std::size_t last = 0;  // behind the last blank
+    for (end = first; is_left(end); ++end) {
+      const Character& c = characters[end];
+      if (c.blank()) last = end + 1;
+      if (last > 0 && !c.blank() && width + c.advance > box.width()) break;
+      width += c.advance;
+      size = std::max(size, c.style.font_size);
+      height = std::max(height, c.style.line_em * c.style.font_size);
+    }
+    if (is_left(end)) end = last;
+    if (y >= box.max.y) return characters.resize(first);
+    y += height * std::max(begin.paragraph - paragraph, 1);
+    paragraph = begin.paragraph;
+    begin.y = y - height / 2 + kBaseLine * size;
+    begin.x = box.min.x + shift_of(begin.style) * box.width();
+  }
 }
 
 }  // namespace
@@ -261,6 +296,11 @@ void SvgReader::draw_text(const pugi::xml_node& node, const Context& context) {
   TextReader text(context.port, diagnostics_, styled_inside, path_of);
   text.gather(node, context.style, 0);
   text.trim();
+  if (local_name(node) == "flowRoot") {
+    const std::optional<Matrix> box = box_of(node.child("flowRegion"), context);
+    if (!box) return;
+    text.flow({{box->e, box->f}, {box->e + box->a, box->f + box->d}});
+  }
   for (const pugi::xml_node& child : text.unknown) refuse("text", child);
   const std::vector<Character>& characters = text.characters;
   if (characters.empty()) return;
@@ -272,9 +312,8 @@ void SvgReader::draw_text(const pugi::xml_node& node, const Context& context) {
       double length = c.advance;
       for (std::size_t k = i + 1; k < characters.size() && !characters[k].begins_chunk(&characters[k - 1]); ++k)
         length += characters[k].advance + characters[k].dx;
-      const double before = c.style.anchor == "middle" ? 0.5 : c.style.anchor == "end" ? 1 : 0;
       const Point2 begin = c.path ? Point2{c.path->start, 0} : pen;
-      pen = {c.x.value_or(begin.x) - before * length, c.path ? 0 : c.y.value_or(begin.y)};
+      pen = {c.x.value_or(begin.x) - shift_of(c.style) * length, c.path ? 0 : c.y.value_or(begin.y)};
     }
     pen += Point2{c.dx, c.dy};
     const double up = c.style.baseline_shift - c.style.baseline_em * c.style.font_size, middle = pen.x + c.advance / 2;

@@ -113,6 +113,7 @@ class StyleReader {
         {"font-size", [](StyleReader& r, Text v) { r.set_font_size(v); }},
         {"font", [](StyleReader& r, Text v) { r.set_font(v); }},
         {"font-family", [](StyleReader& r, Text v) { r.set_family(v); }},
+        {"line-height", [](StyleReader& r, Text v) { r.set_line_height(v); }},
         {"text-anchor", [](StyleReader& r, Text v) { r.style_.anchor = v; }},
         {"letter-spacing", [](StyleReader& r, Text v) { r.style_.letter_spacing = r.spacing(v); }},
         {"word-spacing", [](StyleReader& r, Text v) { r.style_.word_spacing = r.spacing(v); }},
@@ -247,6 +248,13 @@ class StyleReader {
     }
   }
 
+  void set_line_height(std::string_view value) {
+    const bool of_font = Scanner(value.substr(value.empty() ? 0 : value.size() - 1)).at_number();  // without a unit
+    if (value == "normal")
+      style_.line_em = Style{}.line_em;
+    else if (style_.font_size > 0)
+      style_.line_em = length(value, style_.font_size) / (of_font ? 1 : style_.font_size);
+  }
   /// Reads "italic 10px serif": the size is the first word that begins with a number, up to a slash.
   void set_font(std::string_view value) {
     while (!value.empty()) {

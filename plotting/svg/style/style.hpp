@@ -42,6 +42,7 @@ struct Style {
   std::vector<double> dashes;  ///< in the element's units
   double dash_offset = 0;
   double font_size = 16;
+  double line_em = 1.2;  ///< distance of lines, em
   TypefaceWidth typeface;
   double letter_spacing = 0, word_spacing = 0;
   double baseline_em = 0;    ///< distance of the base line below the given point, em
