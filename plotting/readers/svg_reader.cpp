@@ -19,8 +19,6 @@ namespace {
 
 /// Deepest nesting of elements that are drawn.
 constexpr int kDeepest = 200;
-/// Most elements that links show, in all.
-constexpr std::size_t kMostLinked = 1'000'000;
 /// Elements that show nothing where they stand.
 constexpr std::string_view kUnseen[] = {
     "defs",           "title",   "desc",      "metadata",      "script", "style",  "linearGradient",

@@ -1,6 +1,9 @@
 /// Reads clip paths and masks of an SVG, as areas on the page.
 
 #include <algorithm>
+#include <array>
+
+#include <glm/geometric.hpp>
 
 #include "areas/work_limit_error.hpp"
 #include "plotting/svg/reader.hpp"
@@ -11,6 +14,8 @@ namespace {
 /// Most elements visited for bounding boxes in a drawing, and the deepest nesting of such elements.
 constexpr std::size_t kMostBoxed = 10'000'000;
 constexpr int kDeepestBox = 200;
+/// Most points of a stroke in a mask; each becomes a disc. Adjustable.
+constexpr std::size_t kMostStroked = 20'000;
 
 /// Cuts the shapes of a clip path, from number `first` on, by a clip path of their own. Inner clip paths may cut them
 /// already.
@@ -33,6 +38,28 @@ void cut_clip_shapes(const ClipPointer& within, std::size_t first, Clip& clip) {
     last->outer = within;
     clip.within[i] = both;
   }
+}
+
+/// Contours around the ink of a pen of this radius, for the nonzero rule: a rectangle for every segment, and a disc for
+/// every point but the ends that have no round caps.
+Polylines ink_of(const Polylines& lines, double radius, bool round_caps) {
+  constexpr double kCorners = 32;
+  Polylines contours;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto line = lines[i];
+    for (std::size_t k = 0; k < line.size(); ++k) {
+      const Point2 p = line[k], q = line[k > 0 ? k - 1 : 0];
+      if (p != q) {
+        const Point2 to = (p - q) * (radius / glm::length(p - q)), side{-to.y, to.x};
+        contours.add(std::array{p + side, p - side, q - side, q + side});
+      }
+      if (!round_caps && !is_loop(line) && (k == 0 || k + 1 == line.size())) continue;
+      std::vector<Point2> disc;
+      for (double at = 0; at < kCorners; ++at) disc.push_back(p + turn(-360 * at / kCorners)({radius, 0}));
+      contours.add(disc);
+    }
+  }
+  return contours;
 }
 
 }  // namespace
@@ -71,12 +98,17 @@ void SvgReader::extend_box(const pugi::xml_node& node, const Context& context, c
   }
 }
 
-/// The box of an element in its own units, as a matrix from the unit square; nothing if it has no shapes.
+/// The box of an element in its own units, as a matrix from the unit square; nothing if it has no shapes. It is measured
+/// in the size that the element has on the page, from the corner of the page.
 std::optional<Matrix> SvgReader::box_of(const pugi::xml_node& node, const Context& context) {
+  const double scale = context.to_mm.stretch();
+  const std::optional<Matrix> back = context.to_mm.inverse();
+  if (!back) return {};
+  const Point2 corner = (*back)({0, 0});
   Rect box;
-  extend_box(node, context, Matrix{}, box);
+  extend_box(node, context, Matrix{scale, 0, 0, scale, -scale * corner.x, -scale * corner.y}, box);
   if (box.empty()) return {};
-  return Matrix{box.width(), 0, 0, box.height(), box.min.x, box.min.y};
+  return Matrix{box.width() / scale, 0, 0, box.height() / scale, box.min.x / scale + corner.x, box.min.y / scale + corner.y};
 }
 
 Style SvgReader::style_around(const pugi::xml_node& node, const Viewport& port) {
@@ -181,63 +213,84 @@ ClipPointer SvgReader::mask_of(const std::string& id, const pugi::xml_node& node
     inside.to_mm = context.to_mm * *box;
   }
   for (const pugi::xml_node& child : mask) {
-    const std::string_view name = local_name(child);
-    if (child.type() != pugi::node_element || name == "title" || name == "desc" || name == "metadata") continue;
-    displayed = true;
-    const Style style = styled(child, inside.style, context.port, displayed);
-    if (!displayed) continue;
-    Polylines lines;
-    Outline outline(lines, Matrix{});
-    const bool plain = style.fill && style.fill_seen && style.fill->server.empty();
-    if (!plain || !outline_shape(name, child, attributes(context), outline)) {
-      refuse("mask", child);
+    if (child.type() == pugi::node_element && !add_clip_shape(child, inside.to_mm, inside, *clip, 0, true))
       return context.clip;
-    }
-    add_clip_shape(child, inside.to_mm, inside, *clip, 0, true);
-    constexpr double kHalf = 0.5;
-    clip->opens.resize(clip->any_of.size(), brightness(style.fill->color) > kHalf);
   }
   return clip;
 }
 
-/// Adds one of the shapes of a clip path or a mask. False if it can not be drawn as an area: it has been refused.
+/// Whether a filter makes an element white: the masks of opacity that Cairo writes.
+bool SvgReader::is_whitened(const pugi::xml_node& node) const {
+  const std::string_view filter = node.attribute("filter").value();
+  const auto found = filter.starts_with("url(#") ? ids_.find(std::string(filter.substr(5, filter.size() - 6))) : ids_.end();
+  return found != ids_.end() && std::string_view(found->second.child("feColorMatrix").attribute("values").value())
+                                    .starts_with("0 0 0 0 1 0 0 0 0 1 0");
+}
+
+/// Adds the fill of a shape of a clip path, or fills and strokes of an element of a mask. False if it can not be drawn as
+/// an area: it has been refused.
 bool SvgReader::add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, Clip& clip, int links,
                                bool is_mask) {
+  if (links > 0 && ++linked_ > kMostLinked) throw WorkLimitError("has masks of more than a million elements");
   const std::string_view name = local_name(node);
   bool displayed = true;
   const Style style = styled(node, context.style, context.port, displayed);
   // A clip path is an outline: its opacity has no effect (CSS Masking 1, 6.1).
   if (!(is_mask ? displayed : style.displayed) || !style.visible) return true;
-  if (links > kMostLinks || name == "text") {
-    refuse("clip-path", node);
+  if (links > kMostLinks || name == "text" || (is_mask && (name == "image" || name == "svg" || name == "switch"))) {
+    refuse(is_mask ? "mask" : "clip-path", node);
     return false;
   }
   Context inside = context;
   inside.style = style;
-  to_mm = to_mm * placing_of(node, inside);
+  inside.style.alpha_mask |= is_mask && is_whitened(node);
+  inside.to_mm = to_mm = to_mm * placing_of(node, inside);
   ClipPointer within;
   if (!style.clip.empty()) {
-    inside.to_mm = to_mm;
     inside.clip = nullptr;
     within = clip_of(style.clip, node, inside);
   }
   const std::size_t first = clip.any_of.size();
+  const auto add_inside = [&](const pugi::xml_node& child, Point2 shift) {
+    return add_clip_shape(child, to_mm * Matrix{1, 0, 0, 1, shift.x, shift.y}, inside, clip, links + 1, is_mask);
+  };
   if (name == "use") {
     const pugi::xml_node target = target_of(node);
-    const Matrix shift{1, 0, 0, 1, attributes(context).x(node, "x"), attributes(context).y(node, "y")};
-    if (target && !add_clip_shape(target, to_mm * shift, inside, clip, links + 1, is_mask)) return false;
-    cut_clip_shapes(within, first, clip);
-    return true;
+    if (target && !add_inside(target, {attributes(context).x(node, "x"), attributes(context).y(node, "y")})) return false;
+  } else if (is_mask && (name == "g" || name == "a")) {
+    for (const pugi::xml_node& child : node) {
+      if (child.type() == pugi::node_element && !add_inside(child, {0, 0})) return false;
+    }
   }
   Polylines lines;
   Outline outline(lines, to_mm);
-  // Groups and other elements may not stand in it (CSS Masking 1, 6.1): viewers leave them out too.
-  if (!outline_shape(name, node, attributes(context), outline)) return true;
-  clip_points_ += lines.points.size() + 1;
-  if (clip_points_ > kMostPoints) throw WorkLimitError("has clip paths of more than fifty million points");
-  const bool even_odd = is_mask ? style.fill_even_odd : style.clip_even_odd;
-  clip.any_of.emplace_back(lines, even_odd ? FillRule::even_odd : FillRule::nonzero, clip_work_);
+  // Groups and other elements may not stand in a clip path (CSS Masking 1, 6.1): viewers leave them out too.
+  if (outline_shape(name, node, attributes(context), outline) && !add_clip_areas(node, lines, inside, clip, is_mask))
+    return false;
   cut_clip_shapes(within, first, clip);
+  return true;
+}
+
+/// Adds the fill of a shape, and its fill and its stroke in a mask, where they are painted in one colour.
+bool SvgReader::add_clip_areas(const pugi::xml_node& node, const Polylines& lines, const Context& context, Clip& clip,
+                               bool is_mask) {
+  const Style& style = context.style;
+  const auto add = [&](const Polylines& contours, FillRule rule, const std::optional<Paint>& paint) {
+    clip_points_ += contours.points.size() + 1;
+    if (clip_points_ > kMostPoints) throw WorkLimitError("has clip paths of more than fifty million points");
+    clip.any_of.emplace_back(contours, rule, clip_work_);
+    constexpr double kHalf = 0.5;
+    if (is_mask) clip.opens.push_back(style.alpha_mask || brightness(paint->color) > kHalf);
+  };
+  if (!is_mask) return add(lines, style.clip_even_odd ? FillRule::even_odd : FillRule::nonzero, {}), true;
+  const bool filled = style.fill && style.fill_seen, stroked = style.stroke && style.stroke_seen && style.stroke_width > 0;
+  const bool stroke_refused = stroked && (is_server(style.stroke->server) || lines.points.size() > kMostStroked);
+  if (stroke_refused || (filled && is_server(style.fill->server))) {
+    refuse("mask", node);
+    return false;
+  }
+  if (filled) add(lines, fill_rule(context), style.fill);
+  if (stroked) add(ink_of(lines, stroke_width_mm(context) / 2, style.round_caps), FillRule::nonzero, style.stroke);
   return true;
 }
 

@@ -63,6 +63,9 @@ struct PaintedLines {
   std::string in_layer{};  ///< layer of the document, or empty
 };
 
+/// Most elements that links show, in all.
+inline constexpr std::size_t kMostLinked = 1'000'000;
+
 inline constexpr std::string_view kWhite = "#ffffff";
 
 /// Whether a length of the root depends on a window around the page, which paper does not have.
@@ -122,6 +125,8 @@ class SvgReader {
   ClipPointer region_of(const pugi::xml_node& mask, const pugi::xml_node& node, const Context& context);
   bool add_clip_shape(const pugi::xml_node& node, Matrix to_mm, const Context& context, Clip& clip, int links,
                       bool is_mask = false);
+  bool is_whitened(const pugi::xml_node& node) const;
+  bool add_clip_areas(const pugi::xml_node& node, const Polylines& lines, const Context& context, Clip& clip, bool is_mask);
   void extend_box(const pugi::xml_node& node, const Context& context, const Matrix& to_box, Rect& box);
   std::optional<Matrix> box_of(const pugi::xml_node& node, const Context& context);
   bool draw_shape(std::string_view name, const pugi::xml_node& node, const Context& context);

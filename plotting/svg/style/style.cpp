@@ -126,6 +126,7 @@ class StyleReader {
         {"display", [](StyleReader& r, Text v) { r.show(v == "none", r.clear_); }},
         {"visibility", [](StyleReader& r, Text v) { r.style_.visible = v == "visible"; }},
         {"clip-rule", [](StyleReader& r, Text v) { r.style_.clip_even_odd = v == "evenodd"; }},
+        {"mask-type", [](StyleReader& r, Text v) { r.style_.alpha_mask = v == "alpha"; }},
         {"overflow", [](StyleReader& r, Text v) { r.style_.overflow = v == "visible" || v == "auto"; }},
         {"transform-origin", [](StyleReader& r, Text v) { r.style_.origin = v; }},
         {"marker-start", [](StyleReader& r, Text v) { r.set_marker(0, v); }},

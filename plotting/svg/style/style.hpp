@@ -53,6 +53,7 @@ struct Style {
   std::array<std::string, 3> markers{};  ///< ids of the markers at the start, in the middle, at the end
   std::array<PaintPart, 3> paint_order{PaintPart::fill, PaintPart::stroke, PaintPart::markers};
   std::optional<Paint> context_fill, context_stroke;  ///< paints of the <use>, or of the shape that a marker marks
+  bool alpha_mask = false;                            ///< a mask shows what lies under its shapes, dark ones too
   VariablesPointer variables;
   // Not inherited.
   std::optional<Matrix> placing;  ///< transform of the element
