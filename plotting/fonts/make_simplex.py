@@ -133,6 +133,13 @@ def make_font(folder):
     width, strokes = font[ord("=")]
     font[0x2260] = (width, strokes + [[(width / 2 - 5, 1), (width / 2 + 5, 17)]])
     font[0x221E] = (28, moved([ring(5)], 9, 9) + moved([ring(5)], 19, 9))
+    arrow = [[(2, 9), (22, 9)], [(15, 14), (22, 9), (15, 4)]]
+    for code, sign in ((0x2190, -1), (0x2192, 1)):
+        font[code] = (24, [[(12 + sign * (x - 12), y) for x, y in s] for s in arrow])
+    for code, sign in ((0x2191, 1), (0x2193, -1)):
+        font[code] = (16, [[(y - 1, 9 + sign * (x - 12)) for x, y in s] for s in arrow])
+    font[0x2022] = (14, moved([ring(2.5)], 7, 9))
+    font[0x200B] = (0, [])  # a blank of no width
     font[0x2019] = font[0x2018] = font[ord("'")]
     font[0x201C] = font[0x201D] = font[ord('"')]
     font[0x2026] = (30, [s for i in range(3) for s in moved(dot[1], 10 * i)])
@@ -200,11 +207,15 @@ def main():
     font = make_font(sys.argv[1])
     widths = typeface_widths(sys.argv[2])
     print(HEAD)
+    rows = ["   "]
     for code in sorted(font):
         width, strokes = font[code]
         text = ";".join(" ".join(f"{round(10 * x)} {round(10 * y)}" for x, y in s) for s in strokes)
-        print(f'    {{0x{code:x}, {round(10 * width)}, {widths.get(code, 1372)}, "{text}"}},')
-    print(TAIL)
+        glyph = f'{{0x{code:x}, {round(10 * width)}, {widths.get(code, 1372)}, "{text}"}},'
+        if len(rows[-1]) + len(glyph) > 115:
+            rows.append("   ")
+        rows[-1] += " " + glyph
+    print("\n".join([*rows, TAIL]))
 
 
 main()

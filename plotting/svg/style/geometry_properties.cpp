@@ -42,7 +42,8 @@ std::string_view path_in(std::string_view value) {
 }  // namespace
 
 bool depends_on_window(std::string_view length) {
-  return length.find_first_of("%vV") != std::string_view::npos || length == "auto";
+  // Words such as "auto" and "fit-content", and units from vw to dvh.
+  return length.find_first_of("%vV") != length.npos || length.find_first_of("0123456789") == length.npos;
 }
 
 /// Writes a property to the attribute that it overrides. An invalid one is reported and ignored.
