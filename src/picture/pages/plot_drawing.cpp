@@ -1,6 +1,7 @@
 #include "picture/pages/plot_drawing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -105,6 +106,9 @@ double place(const PlotDrawingRequest& request, ReadDrawing& read) {
   return scale;
 }
 
+/// Pages smaller than this get a warning: icons measured in pixels, whose details are no wider than a pen.
+constexpr double kTinyPageMm = 10;
+
 std::string times(std::size_t count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
@@ -124,6 +128,10 @@ void warn_of_left_out(const PlotDrawingRequest& request, const std::string& name
     const std::string dpi = shortest(read.paper_dpi);
     warn("has no size; its viewBox is a paper size (" + read.paper_of_view_box + ") at " + dpi + " dpi, and is read at " +
          shortest(request.reading.px_per_inch) + ": --input-dpi " + dpi + " gives that paper");
+  }
+  const double side = std::max(read.page.width_mm, read.page.height_mm);
+  if (!request.page && request.scale == 1.0 && side < kTinyPageMm) {
+    warn("has a page of only " + shortest(std::round(side * 100) / 100) + " mm; --page A5 --scale fit enlarges it");
   }
   if (read.outlined > 0 && !request.fills) {
     warn(times(read.outlined, "filled area is", "filled areas are") +

@@ -67,7 +67,7 @@ std::shared_ptr<const Device> device_of(const PlotterChoice& choice, OutputForma
   if (device->language != language) {
     throw RequestError("device", printable(device->name) + " takes " + std::string(speaks) + ", not " +
                                      std::string(kOutputFormatNames[static_cast<std::size_t>(format)]) +
-                                     (known_devices(language).empty() ? "" : "; that take " + known_devices(language)));
+                                     (known_devices(language).empty() ? "" : "; these do: " + known_devices(language)));
   }
   return device;
 }
