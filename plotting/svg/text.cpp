@@ -91,7 +91,7 @@ class TextReader {
 
   /// Collects the characters inside the element, whose style is given.
   void gather(const pugi::xml_node& node, const Style& style, int depth);
-  /// Breaks the lines of a flowRoot (SVG 1.2) at the width of a box.
+  /// Breaks the lines of a flowRoot (SVG 1.2), or of a text in a shape, at the width of a box.
   void flow(const Rect& box);
   /// Drops blanks at the end, which no viewer shows.
   void trim() {
@@ -296,8 +296,9 @@ void SvgReader::draw_text(const pugi::xml_node& node, const Context& context) {
   TextReader text(context.port, diagnostics_, styled_inside, path_of);
   text.gather(node, context.style, 0);
   text.trim();
-  if (local_name(node) == "flowRoot") {
-    const std::optional<Matrix> box = box_of(node.child("flowRegion"), context);
+  const auto shape = ids_.find(context.style.text_box);
+  if (local_name(node) == "flowRoot" || shape != ids_.end()) {
+    const std::optional<Matrix> box = box_of(shape != ids_.end() ? shape->second : node.child("flowRegion"), context);
     if (!box) return;
     text.flow({{box->e, box->f}, {box->e + box->a, box->f + box->d}});
   }

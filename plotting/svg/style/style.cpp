@@ -62,6 +62,9 @@ class StyleReader {
     constexpr std::string_view kInherited[] = {"inherit", "unset", "revert", "revert-layer"};
     if (std::ranges::find(kInherited, value) != std::end(kInherited)) return;
     if (const Setter set = setter_of(name)) return set(*this, value);
+    // A text that its program has broken into lines has them as elements with places of their own.
+    if ((name == "shape-inside" || name == "inline-size") && node_.child("tspan").attribute("y")) return;
+    if (name == "shape-inside" && !(style_.text_box = id_in(value)).empty()) return;
     if (set_of_place(name, value, is_attribute) || value == "none" || value == "normal" || value == "auto") return;
     if (name == "clip-path")
       set_clip(value);
@@ -351,6 +354,7 @@ Style style_of(const pugi::xml_node& node, const Style& inherited, const StyleSh
   style.origin_of_box = false;
   style.clip.clear();
   style.mask.clear();
+  style.text_box.clear();
   style.non_scaling = style.blended = false;
   style.displayed = true;
   style.opacity = 1;

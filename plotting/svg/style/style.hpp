@@ -68,6 +68,7 @@ struct Style {
   bool non_scaling = false;      ///< transforms do not change the width of the stroke
   std::string clip;              ///< id of a clip path
   std::string mask;              ///< id of a mask
+  std::string text_box;          ///< id of the shape into which a text flows
   std::optional<bool> overflow;  ///< parts outside a viewport are visible; nothing: not given
 };
 
