@@ -196,15 +196,11 @@ class StepFinder {
   KeyTable face_of_;    ///< by directed side; kSeveral if not unique
 };
 
-/// The needles of an object.
-std::vector<Needle> needles_of(const Scene& scene, const Object& object, double most) {
-  const std::size_t count = object.face_end - object.face_begin;
-  std::vector<std::vector<Needle>> found(block_count(count, kShortWorkBlock));
-  parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = object.face_begin + begin; f < object.face_begin + end; ++f) {
-      if (is_long_triangle(scene, f, most)) continue;
-      if (auto needle = needle_at(scene, static_cast<std::uint32_t>(f), most))
-        found[begin / kShortWorkBlock].push_back(std::move(*needle));
+std::vector<Needle> needles_of(const Scene& scene, std::span<const std::uint32_t> faces, double most) {
+  std::vector<std::vector<Needle>> found(block_count(faces.size(), kShortWorkBlock));
+  parallel_blocks(faces.size(), kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
+    for (const std::uint32_t f : faces.subspan(begin, end - begin)) {
+      if (auto needle = needle_at(scene, f, most)) found[begin / kShortWorkBlock].push_back(std::move(*needle));
     }
   });
   std::vector<Needle> all;
@@ -235,15 +231,27 @@ std::vector<std::array<std::size_t, 2>> unpaired_edges(const Scene& scene) {
 
 }  // namespace
 
-std::size_t close_steps(Scene& scene) {
+NarrowFaces find_narrow_faces(const Scene& scene, double roundings) {
+  NarrowFaces narrow;
+  for (const Object& object : scene.objects) {
+    double height = 0;
+    if (object.vertex_begin < object.vertex_end) {
+      const auto [low, high] = bounds_of(scene, object.vertex_begin, object.vertex_end);
+      height = kStepPart * glm::distance(low, high);
+    }
+    narrow.step_heights.push_back(height);
+    narrow.faces.push_back(narrow_faces(scene, object, std::max(height, roundings * object.precision)));
+  }
+  return narrow;
+}
+
+std::size_t close_steps(Scene& scene, const NarrowFaces& narrow) {
+  const std::vector<double>& most = narrow.step_heights;
   std::vector<std::vector<Side>> shorts(scene.objects.size());
-  std::vector<double> most(scene.objects.size(), 0);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
-    if (object.vertex_begin == object.vertex_end) continue;
-    const auto [low, high] = bounds_of(scene, object.vertex_begin, object.vertex_end);
-    most[i] = kStepPart * glm::distance(low, high);
-    std::vector<Needle> needles = needles_of(scene, object, most[i]);
+    if (narrow.faces[i].size() < fewest_in_steps(object)) continue;
+    std::vector<Needle> needles = needles_of(scene, narrow.faces[i], most[i]);
     if (needles.size() >= fewest_in_steps(object)) StepFinder(scene, object, std::move(needles), most[i]).run(shorts[i]);
   }
   std::vector<Side> all = joined(shorts);

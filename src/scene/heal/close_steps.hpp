@@ -2,10 +2,20 @@
 /// Closes the steps between pieces of a curved surface that do not quite meet.
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "scene/model/scene.hpp"
 
 namespace ligne {
+
+/// Per object, the faces with short edges.
+struct NarrowFaces {
+  std::vector<double> step_heights;               ///< largest heights of steps
+  std::vector<std::vector<std::uint32_t>> faces;  ///< narrow_faces() for this height and for the precision
+};
+/// `roundings`: length of edges in precisions that are short in any case. O(n).
+NarrowFaces find_narrow_faces(const Scene& scene, double roundings);
 
 /// Programs such as OpenSCAD make threads and other curved surfaces of overlapping pieces. Where these differ by a rounding
 /// or by a small overlap, needles stand between them: steps that are too low to be seen, but whose sides would be creases.
@@ -19,6 +29,6 @@ namespace ligne {
 /// An object in which the merges would leave edges without a second face, or with a third one, stays as it is.
 ///
 /// Returns the number of merged vertices. Takes O(n) time.
-std::size_t close_steps(Scene& scene);
+std::size_t close_steps(Scene& scene, const NarrowFaces& narrow);
 
 }  // namespace ligne

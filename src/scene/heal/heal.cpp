@@ -24,6 +24,7 @@
 #include "scene/heal/merge_fine_vertices.hpp"
 #include "scene/heal/sew_borders.hpp"
 #include "scene/model/bounds.hpp"
+#include "scene/model/faces_and_edges.hpp"
 #include "scene/model/find_edges.hpp"
 #include "scene/model/precision.hpp"
 #include "scene/model/scene.hpp"
@@ -52,27 +53,16 @@ double least_length(const Scene& scene, std::size_t face, double precision) {
   return kLeastRoundings * std::min(precision, half_ulp_float32(largest));
 }
 
-/// Appends the short edges of an object.
-void append_short_edges(const Scene& scene, const Object& object, std::vector<VertexPair>& edges) {
-  const std::size_t count = object.face_end - object.face_begin;
-  std::vector<std::vector<VertexPair>> found(block_count(count, kShortWorkBlock));
+/// Appends the short edges of some faces of an object.
+void append_short_edges(const Scene& scene, const Object& object, std::span<const std::uint32_t> faces,
+                        std::vector<VertexPair>& edges) {
   const double most = kLeastRoundings * object.precision;
-  parallel_blocks(count, kShortWorkBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = object.face_begin + begin; f < object.face_begin + end; ++f) {
-      if (is_long_triangle(scene, f, most)) continue;
-      for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
-        const std::span<const std::uint32_t> contour = scene.faces.contour(f, c);
-        std::uint32_t last = contour.back();
-        for (const std::uint32_t v : contour) {
-          const Point3 &p = scene.vertices[last], &q = scene.vertices[v];
-          if (are_within(most, p, q) && are_within(least_length(scene, f, object.precision), p, q))
-            found[begin / kShortWorkBlock].push_back({last, v});
-          last = v;
-        }
-      }
-    }
-  });
-  for (const auto& block : found) edges.insert(edges.end(), block.begin(), block.end());
+  for (const std::uint32_t f : faces) {
+    for_sides(scene.faces, f, [&](std::uint32_t v, std::uint32_t w) {
+      const Point3 &p = scene.vertices[v], &q = scene.vertices[w];
+      if (are_within(most, p, q) && are_within(least_length(scene, f, object.precision), p, q)) edges.push_back({v, w});
+    });
+  }
 }
 
 /// Merges the ends of edges that are shorter than a step of the coordinates, and drops the faces that vanish. Where
@@ -81,9 +71,9 @@ void append_short_edges(const Scene& scene, const Object& object, std::vector<Ve
 /// twice Object::precision, and that of a float32 at the largest coordinate of a face if this is less. A vertex moves by
 /// up to four steps, over a chain of such edges. Returns the number
 /// of vertices that were merged. Takes O(n) time.
-std::size_t collapse_short_edges(Scene& scene) {
+std::size_t collapse_short_edges(Scene& scene, const NarrowFaces& narrow) {
   std::vector<VertexPair> edges;
-  for (const Object& object : scene.objects) append_short_edges(scene, object, edges);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) append_short_edges(scene, scene.objects[i], narrow.faces[i], edges);
   std::vector<double> distances;
   for (const Object& object : scene.objects) distances.push_back(kChainRoundings * object.precision);
   return merge_ends(scene, edges, distances);
@@ -307,8 +297,10 @@ void count_edges_left(const Scene& scene, const Topology& topology, HealReport& 
 
 HealReport heal(Scene& scene, Topology& topology, const HealOptions& options) {
   HealReport report;
-  report.vertices_collapsed = collapse_short_edges(scene) + merge_fine_vertices(scene);
-  report.vertices_at_steps = close_steps(scene);
+  NarrowFaces narrow = find_narrow_faces(scene, kLeastRoundings);
+  report.vertices_collapsed = collapse_short_edges(scene, narrow) + merge_fine_vertices(scene);
+  if (report.vertices_collapsed > 0) narrow = find_narrow_faces(scene, kLeastRoundings);
+  report.vertices_at_steps = close_steps(scene, narrow);
   const bool sews = options.sew_distance != 0.0;
   // Whether `topology` is that of the scene, which has no repeated face.
   const bool stated = scene.stated.has(StatedFact::adjacency);
