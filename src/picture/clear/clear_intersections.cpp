@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "geometry/nearest_on_segment.hpp"
 #include "linework/map/nodes.hpp"
 #include "scene/contacts/chord_errors.hpp"
+#include "scene/contacts/contact_errors.hpp"
 #include "scene/heal/edge_tree.hpp"
 #include "scene/model/faces_and_edges.hpp"
 #include "scene/model/topology.hpp"
@@ -42,64 +42,6 @@ std::vector<std::uint32_t> faces_near(const Scene& scene, const std::vector<Sour
   sort_once(faces);
   return faces;
 }
-
-/// Adjustable, 10 degrees in radians: surfaces that cross at a larger angle have a line there, as planes do that meet at it.
-constexpr double kEdgeAngle = std::numbers::pi / 18;
-/// Distance of two chords of width w that cross at twice their bend b within their width, 2 w b, by the sum of their
-/// errors, 2 w/2 tan(b/4).
-constexpr double kGrazingErrors = 8;
-/// Adjustable: least ratio of the length of a sliver to its height.
-constexpr double kSliver = 8;
-
-/// The distances of the faces of a scene from their shapes, and the angles by which these turn over a face.
-class ContactErrors {
- public:
-  /// `errors`: those of the faces that will be asked for, and of their neighbours.
-  ContactErrors(const Scene& scene, const Patches& patches, const ChordErrors& errors)
-      : scene_(scene), patches_(patches), errors_(errors) {}
-
-  /// Whether the faces of an intersection only touch.
-  bool is_contact(const SourceEdge& s) const {
-    const double distance = s.intersection ? contact_distance(s.faces) : 0;
-    return distance > 0 && within_distance(scene_, s.faces, s.ends, distance);
-  }
-
- private:
-  /// Distance within which two faces that cross only touch.
-  double contact_distance(const std::array<std::uint32_t, 2>& faces) const {
-    const double error = errors_.of(faces[0]) + errors_.of(faces[1]);
-    if (error == 0) return 0;
-    const double precision = object_precision(scene_, faces[0]) + object_precision(scene_, faces[1]);
-    const Turn a = turn_of(faces[0]), b = turn_of(faces[1]);
-    // The shapes behind the faces may run side by side where these cross at an angle no larger than the shapes turn.
-    const double sine = glm::length(glm::cross(face_normal(scene_, faces[0]), face_normal(scene_, faces[1])));
-    if (sine > std::sin(std::min(a.angle + b.angle, kEdgeAngle))) return error + precision;
-    return kGrazingErrors * (a.error + b.error) + precision;
-  }
-
-  struct Turn {
-    double angle = 0, error = 0;
-  };
-
-  /// The turn of the shape over a face. Beside a sliver that lies on no recognised surface, as one of a fan across a dome,
-  /// the shape bends along the sliver as it does across.
-  Turn turn_of(std::uint32_t face) const {
-    const Turn across{errors_.bend(face), errors_.of(face)};
-    if (patches_.patch_of.size() > face && patches_.patch_of[face] != kNone) return across;
-    double length = 0;
-    for_sides(scene_.faces, face, [&](std::uint32_t v, std::uint32_t w) {
-      length = std::max(length, glm::distance(scene_.vertices[v], scene_.vertices[w]));
-    });
-    const double area = glm::length(double_area(scene_, face));
-    if (!(length * length > kSliver * area)) return across;
-    const double angle = std::min(across.angle * length * length / area, kEdgeAngle);
-    return {std::max(across.angle, angle), std::max(across.error, length / 2 * std::tan(angle / 4))};
-  }
-
-  const Scene& scene_;
-  const Patches& patches_;
-  const ChordErrors& errors_;
-};
 
 /// Adjustable: least ratio of the length of a way along rims to that of its stroke, which the two have at 32 degrees.
 /// Beside the edge of a coarse mesh a line that leaves the edge may well stay within the error of the mesh.
@@ -292,9 +234,9 @@ void clear_intersections(StrokeModel& model, const Scene& scene, const Projected
   std::vector<std::uint32_t> faces = faces_near(scene, model.intersections);
   const FaceNeighbours neighbours(scene, faces);
   const ChordErrors errors(scene, neighbours, std::move(faces), request.crease_degrees);
-  const ContactErrors contacts(scene, patches, errors);
+  const ContactErrors contacts(scene, patches.patch_of, errors);
   std::vector<bool> contact;  // by segment
-  for (const SourceEdge& s : model.intersections) contact.push_back(contacts.is_contact(s));
+  for (const SourceEdge& s : model.intersections) contact.push_back(s.intersection && contacts.is_contact(s.faces, s.ends));
   const RimLines rims(scene, neighbours, errors, model.intersections, request.crease_degrees);
 
   std::vector<Stroke> strokes;
