@@ -122,7 +122,8 @@ class RimLines {
     std::uint32_t face, neighbour;
     double distance;  ///< the error of its neighbour: distance of the triangles from the exact shape
   };
-  /// The way along rims of a face that crosses another one between two tips.
+
+  /// The way along rims of a face that crosses another one between two tips. It is empty if either tip lies near none.
   Path path_on(std::uint32_t face, std::uint32_t other, const std::array<Point3, 2>& tips, const View& view,
                LineClasses classes) const {
     const double error = errors_.of(other);

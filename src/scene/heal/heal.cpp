@@ -69,8 +69,7 @@ void append_short_edges(const Scene& scene, const Object& object, std::span<cons
 /// programs find one corner several times, each time rounded differently, needles without thickness connect these, and
 /// some of them are turned over: their sides would be outlines in the midst of a plane. A step is
 /// twice Object::precision, and that of a float32 at the largest coordinate of a face if this is less. A vertex moves by
-/// up to four steps, over a chain of such edges. Returns the number
-/// of vertices that were merged. Takes O(n) time.
+/// up to four steps, over a chain of such edges. Returns the number of vertices that were merged. Takes O(n) time.
 std::size_t collapse_short_edges(Scene& scene, const NarrowFaces& narrow) {
   std::vector<VertexPair> edges;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) append_short_edges(scene, scene.objects[i], narrow.faces[i], edges);
