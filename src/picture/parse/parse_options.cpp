@@ -225,7 +225,7 @@ ParameterValue parse_parameter(const std::string& text, const MethodParameter& p
 }
 
 CurveRange parse_range(const std::string& text) {
-  const Ends ends = parse_ends(text, "A:B or A:B:N");
+  const Ends ends = parse_ends(text.starts_with('=') ? text.substr(1) : text, "A:B or A:B:N");  // -x=A:B
   CurveRange range{ends.from, ends.to, {}};
   if (ends.rest) range.curves = parse_count(*ends.rest, 2, kMostCurves);
   return range;
