@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 #include "base/hash.hpp"
+#include "geometry/polygons/merge_contours.hpp"
 #include "plotting/page.hpp"
 
 namespace ligne {
@@ -94,7 +96,7 @@ struct LeveledFill {
 };
 
 /// Sorts fills by level, narrow ones first, then by colour. Within a level only rims overlap, and rims hide narrow
-/// fills. So fills of one colour may be adjacent.
+/// fills. So fills of one colour may be adjacent, and become one.
 std::vector<Fill> in_painting_order(std::vector<LeveledFill> found) {
   std::stable_sort(found.begin(), found.end(), [](const LeveledFill& a, const LeveledFill& b) {
     if (a.level != b.level) return a.level > b.level;
@@ -102,8 +104,15 @@ std::vector<Fill> in_painting_order(std::vector<LeveledFill> found) {
     return std::tie(a.fill.opacity, a.fill.color) > std::tie(b.fill.opacity, b.fill.color);
   });
   std::vector<Fill> fills;
-  fills.reserve(found.size());
-  for (LeveledFill& one : found) fills.push_back(std::move(one.fill));
+  for (std::size_t i = 0; i < found.size();) {
+    const LeveledFill& first = found[i];
+    Fill& fill = fills.emplace_back(Fill{{}, first.fill.color, first.fill.opacity});
+    do {
+      std::ranges::move(found[i].fill.contours, std::back_inserter(fill.contours));
+    } while (++i < found.size() && fill.opacity >= 1 && found[i].fill.opacity >= 1 && found[i].level == first.level &&
+             found[i].narrow == first.narrow && found[i].fill.color == fill.color);
+    if (fill.opacity >= 1) fill.contours = merge_contours(fill.contours);
+  }
   return fills;
 }
 
@@ -126,7 +135,8 @@ std::vector<Fill> fill_regions(const Scene& scene, const View& view, const std::
   for (const Region& region : regions) {
     const Material& material = material_of(scene, region);
     const auto color = rounded(colors.of(material, region.face, region.lights, region.light_shares));
-    found.push_back({region.level, is_narrow(region), {region.contours, color, material.opacity}});
+    const bool narrow = kind == FillKind::shade && is_narrow(region);
+    found.push_back({region.level, narrow, {region.contours, color, material.opacity}});
   }
   return in_painting_order(std::move(found));
 }

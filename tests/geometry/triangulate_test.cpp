@@ -7,6 +7,7 @@
 #include "drawing/measures.hpp"
 #include "geometry/delaunay.hpp"
 #include "geometry/morton.hpp"
+#include "geometry/polygons/merge_contours.hpp"
 #include "geometry/predicates.hpp"
 #include "main/script.hpp"
 #include "polygon_shapes.hpp"
@@ -22,31 +23,30 @@ using shapes::Polygon;
 using shapes::rectangle;
 
 /// Every triangle has area, the winding of the outer contour; areas add up; a sampled point lies in exactly one triangle
-/// when it lies in the polygon and in none otherwise.
+/// when it lies in the polygon and in none otherwise; the triangles merge to its contours.
 void expect_partition(const Polygon& polygon, int samples = 400) {
   const Flat flat = flatten(polygon);
   const auto triangles = triangulate(flat.points, flat.contour_end);
   const double direction = test::area_of(polygon[0]) < 0 ? -1 : 1;
   double area = 0;
+  Polygon parts;
   for (const auto& t : triangles) {
-    const Contour corners{flat.points[t[0]], flat.points[t[1]], flat.points[t[2]]};
+    const Contour& corners = parts.emplace_back(Contour{flat.points[t[0]], flat.points[t[1]], flat.points[t[2]]});
     EXPECT_EQ(orientation_sign(corners[0], corners[1], corners[2]), direction);
     area += std::abs(test::area_of(corners));
   }
   EXPECT_NEAR(area, test::area_within(polygon), 2e-12 * std::abs(test::area_of(polygon[0])));
+  const Polygon merged = merge_contours(parts);
+  EXPECT_LE(flatten(merged).points.size(), 2 * flat.points.size());  // more than it has, where one touches an edge
   Rect box;
   for (const Point2 p : polygon[0]) box.extend(p);
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> x(box.min.x, box.max.x), y(box.min.y, box.max.y);
   for (int i = 0; i < samples; ++i) {
     const Point2 p(x(random), y(random));
-    int hits = 0;
-    for (const auto& t : triangles) {
-      const Point2 a = flat.points[t[0]], b = flat.points[t[1]], c = flat.points[t[2]];
-      const int ab = orientation_sign(a, b, p), bc = orientation_sign(b, c, p), ca = orientation_sign(c, a, p);
-      hits += ab == bc && bc == ca;
-    }
-    EXPECT_EQ(hits, test::holds(polygon, p) ? 1 : 0) << "at " << p.x << ", " << p.y;
+    const auto hits = std::ranges::count_if(parts, [&](const Contour& part) { return test::holds({part}, p); });
+    EXPECT_EQ(test::holds(merged, p), hits == 1);
+    EXPECT_EQ(hits, test::holds(polygon, p)) << "at " << p.x << ", " << p.y;
   }
 }
 
