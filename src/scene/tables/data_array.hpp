@@ -58,4 +58,9 @@ bool may_be_json(std::string_view text);
 std::vector<DataArray> read_json_arrays(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
                                         std::vector<TextColumn>* texts = nullptr);
 
+/// Arrays as text: [1 2; 3 4] of MATLAB, {{1, 2}, {3, 4}} of C, and what numpy prints, each perhaps with a name and "=".
+/// read_json_arrays() reads those without names too.
+bool may_be_text_arrays(std::string_view text);
+std::vector<DataArray> read_text_arrays(std::string_view text, const std::string& name);
+
 }  // namespace ligne

@@ -235,11 +235,16 @@ bool may_be_json(std::string_view text) {
 
 std::vector<DataArray> read_json_arrays(std::span<const std::byte> bytes, const std::string& name, Warnings& warnings,
                                         std::vector<TextColumn>* texts) {
+  const std::string text = with_nulls(as_text(bytes, name));
   Json document;
   try {
-    document = Json::parse(with_nulls(as_text(bytes, name)));
+    document = Json::parse(text);
   } catch (const Json::parse_error& error) {
-    throw InputError(name, "JSON: byte " + std::to_string(error.byte) + " is unexpected");
+    if (text.find_first_of("\":") == std::string::npos) return read_text_arrays(text, name);
+    const std::string_view before = std::string_view(text).substr(0, std::max<std::size_t>(error.byte, 1) - 1);
+    throw error_at_line(
+        name, 1 + static_cast<std::size_t>(std::ranges::count(before, '\n')),
+        "JSON: byte " + std::to_string(before.size() - (before.rfind('\n') + 1) + 1) + " of the line is unexpected");
   } catch (const Json::exception& error) {
     throw InputError(name, std::string("JSON: ") + error.what());
   }

@@ -27,6 +27,7 @@ class TableReader {
   Table read() {
     table_.style_ = cell_style(text_);
     read_lines();
+    if (first_line_counts()) lines_.erase(lines_.begin());
     const std::size_t first = find_body();
     table_.values_.reserve(text_.size() / 8);
     for (std::size_t k = first; k < lines_.size(); ++k) add_row(lines_[k], k == first);
@@ -73,6 +74,21 @@ class TableReader {
       lines_.push_back({row, reader.number(), blanks});
       blanks = 0;
     }
+  }
+
+  /// Whether the first line is the number of columns and rows below it, in either order. Two columns could be rows of
+  /// their own.
+  bool first_line_counts() const {
+    const std::size_t rows = lines_.empty() ? 0 : lines_.size() - 1;
+    const auto cells = [&](const Line& line) { return cells_of(line.text, separator()); };
+    if (rows < 2) return false;
+    const std::size_t columns = cells(lines_[1]).size();
+    const auto first = cells(lines_[0]);
+    if (first.size() != 2 || columns == 2) return false;
+    const CellValue a = value_of(first[0]), b = value_of(first[1]);
+    const auto c = static_cast<double>(columns), r = static_cast<double>(rows);
+    return ((a.value == c && b.value == r) || (a.value == r && b.value == c)) &&
+           std::all_of(lines_.begin() + 1, lines_.end(), [&](const Line& line) { return cells(line).size() == columns; });
   }
 
   CellValue value_of(std::string_view cell) const { return cell_value(cell, table_.style_.numbers); }

@@ -68,6 +68,7 @@ std::optional<std::vector<DataArray>> read_arrays(std::span<const std::byte> byt
   if (chars.starts_with("PK\x03\x04")) return read_npz(bytes, name, warnings);  // other archives have been unpacked
   if (is_classic_netcdf(chars)) return read_netcdf(bytes, name, layer);
   if (is_matlab(chars)) return read_matlab(bytes, name, warnings);
+  if (may_be_text_arrays(chars)) return read_text_arrays(chars, name);
   if (!may_be_json(chars)) return {};
   // Models in JSON have keys of their own.
   const std::string_view beginning = chars.substr(0, kDetectionBytes);
