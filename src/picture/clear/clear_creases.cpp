@@ -6,6 +6,7 @@
 
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
+#include "scene/creases/color_borders.hpp"
 #include "scene/patches/borders/freeform_seams.hpp"
 #include "scene/patches/borders/straight_tangents.hpp"
 #include "scene/patches/borders/tangent_gaps.hpp"
@@ -22,6 +23,32 @@ double widest_fillet(const PictureRequest& request, const View& view) {
   if (request.lines.tangent == TangentLines::borders) return 0;
   if (request.lines.tangent == TangentLines::middles) return std::numeric_limits<double>::infinity();
   return kNarrowFilletInPens * request.page.pen_width_mm / view.scale;
+}
+
+/// Marks the tangent lines of patches in `creases.lines`. Returns the middle lines of fillets. `widest`: of a fillet that is
+/// drawn as its middle, model units.
+std::vector<ShapeLine> tangents_of_patches(const Scene& scene, const Topology& topology, double widest, Creases& creases) {
+  const Patches& patches = creases.patches;
+  if (patches.list.empty() && patches.borders.empty()) return {};
+  close_tangent_gaps(scene, topology, patches, creases.lines, creases.patch_edges);
+  FilletMiddles fillets = fillet_middles(scene, topology, patches, creases.patch_edges, widest);
+  drop_loose_tangents(scene, topology, patches, creases.lines, creases.patch_edges);
+  straighten_tangents(scene, topology, creases.lines, creases.patch_edges);
+  find_freeform_seams(scene, topology, patches, creases.lines, creases.patch_edges);
+  const auto is_fillet = [&](std::uint32_t face) {
+    const std::uint32_t patch = patches.patch_of[face];
+    return patch != kNone && fillets.is_fillet[patch];
+  };
+  for (const std::uint32_t e : indices_of_marks(creases.patch_edges)) {
+    if (creases.patch_edges[e] != PatchEdge::tangent) continue;
+    const Edge& edge = topology.edges[e];
+    if (!is_fillet(edge.face0) && !is_fillet(edge.face1)) creases.lines[e] = kTangentLine;
+  }
+  std::vector<ShapeLine> lines;
+  for (FaceLine& line : fillets.lines) {
+    lines.push_back({LineClass::tangent, std::move(line.points), std::move(line.faces), line.closed});
+  }
+  return lines;
 }
 
 }  // namespace
@@ -80,28 +107,11 @@ void decide_sheets_by_view(const Scene& scene, const Topology& topology, const C
 
 std::vector<ShapeLine> choose_tangent_lines(const Scene& scene, const Topology& topology, const PictureRequest& request,
                                             const View& view, Creases& creases) {
-  const Patches& patches = creases.patches;
   const bool asks_for_lines = request.lines.classes.has(LineClass::tangent) && request.lines.tangent != TangentLines::none;
-  if ((patches.list.empty() && patches.borders.empty()) || !asks_for_lines) return {};
-  close_tangent_gaps(scene, topology, patches, creases.lines, creases.patch_edges);
-  FilletMiddles fillets = fillet_middles(scene, topology, patches, creases.patch_edges, widest_fillet(request, view));
-  drop_loose_tangents(scene, topology, patches, creases.lines, creases.patch_edges);
-  straighten_tangents(scene, topology, creases.lines, creases.patch_edges);
-  find_freeform_seams(scene, topology, patches, creases.lines, creases.patch_edges);
-  const auto is_fillet = [&](std::uint32_t face) {
-    const std::uint32_t patch = patches.patch_of[face];
-    return patch != kNone && fillets.is_fillet[patch];
-  };
-  for (const std::uint32_t e : indices_of_marks(creases.patch_edges)) {
-    if (creases.patch_edges[e] != PatchEdge::tangent) continue;
-    const Edge& edge = topology.edges[e];
-    if (!is_fillet(edge.face0) && !is_fillet(edge.face1)) creases.lines[e] = kTangentLine;
-  }
-  std::vector<ShapeLine> lines;
-  for (FaceLine& line : fillets.lines) {
-    lines.push_back({LineClass::tangent, std::move(line.points), std::move(line.faces), line.closed});
-  }
-  return lines;
+  if (creases.lines.empty() || !asks_for_lines) return {};
+  std::vector<ShapeLine> middles = tangents_of_patches(scene, topology, widest_fillet(request, view), creases);
+  mark_color_borders(scene, topology, creases.lines);
+  return middles;
 }
 
 }  // namespace ligne

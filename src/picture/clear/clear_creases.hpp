@@ -30,8 +30,9 @@ EdgeSelection select_edges(const std::function<Creases()>& search, const LineReq
 /// of them on the page (FoldSheet): there the sheets turn away from the viewer.
 void decide_sheets_by_view(const Scene& scene, const Topology& topology, const Camera& camera, Creases& creases);
 
-/// Marks in `creases` the borders between surfaces that join smoothly, where LineRequest::tangent draws them. Returns
-/// the lines along the middle of fillets that replace the borders of these fillets.
+/// Marks in `creases` the borders between surfaces that join smoothly, and between colours that no other line separates,
+/// where LineRequest::tangent draws them. Returns the lines along the middle of fillets that replace the borders of these
+/// fillets.
 std::vector<ShapeLine> choose_tangent_lines(const Scene& scene, const Topology& topology, const PictureRequest& request,
                                             const View& view, Creases& creases);
 
