@@ -155,7 +155,8 @@ class Checker {
     const auto compressed = extensions ? extensions->object(kMeshoptExtension) : std::nullopt;
     checked.compressed.emplace_back();
     if (compressed) checked.compressed.back() = compressed_view(*compressed, checked.buffers, length);
-    if (const auto stride = item.whole("byteStride")) {
+    // Some exporters write 0, as in glTF 1.0, where elements follow each other without a gap.
+    if (const auto stride = item.whole("byteStride"); stride && *stride != 0) {
       if (*stride < 4 || *stride > 252 || *stride % 4 != 0)
         item.fail("byteStride " + std::to_string(*stride) + " is not a multiple of 4 up to 252");
       out["byteStride"] = *stride;
