@@ -63,7 +63,8 @@ void check(const PictureRequest& request) {
 }
 
 void choose_method_of_gray_faces(PictureRequest& request) {
-  if (request.gray_faces && !request.lines.method) request.lines.method = find_method("watkins");
+  if ((request.gray_faces || fills_smoothly(request)) && !request.lines.method)
+    request.lines.method = find_method("watkins");
 }
 
 void count_hidden(LineRequest& request) {

@@ -261,7 +261,7 @@ struct PictureRequest {
 /// page.
 void check(const PictureRequest& request);
 
-/// Gives a request for grey faces without a method one that makes spans.
+/// Gives a request for grey faces or a continuous tone without a method one that makes spans.
 void choose_method_of_gray_faces(PictureRequest& request);
 
 /// Makes the method count the faces in front of lines if LineRequest::most_hiding needs it. Throws RequestError for a
