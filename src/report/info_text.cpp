@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <iterator>
 #include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "files/message_text.hpp"
 #include "report/scene_info.hpp"
@@ -133,12 +136,21 @@ std::string objects_text(const SceneFacts& scene) {
   }
   std::string text = line("objects", std::to_string(scene.objects.size()) + ", " + std::to_string(closed) + " closed, " +
                                          std::to_string(solid) + " of them consistently wound");
-  for (std::size_t i = 0; i < std::min(scene.objects.size(), kMostObjectLines); ++i) {
+  // Copies of a part, such as the screws of an assembly, share a line.
+  std::vector<std::pair<std::string, std::size_t>> kinds;
+  std::unordered_map<std::string, std::size_t> kind_of;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const ObjectFacts& object = scene.objects[i];
-    text += line("", (object.name.empty() ? "object " + std::to_string(i) : printable(object.name, kLongestName)) + ": " +
-                         std::to_string(object.faces) + " faces, " + closedness(object) + colors_of(scene, object));
+    const std::string value = (object.name.empty() ? "object " + std::to_string(i) : printable(object.name, kLongestName)) +
+                              ": " + std::to_string(object.faces) + " faces, " + closedness(object) + colors_of(scene, object);
+    const auto [kind, is_new] = kind_of.try_emplace(value, kinds.size());
+    if (is_new) kinds.emplace_back(value, 0);
+    ++kinds[kind->second].second;
   }
-  return text + rest_line(scene.objects.size(), kMostObjectLines);
+  for (std::size_t i = 0; i < std::min(kinds.size(), kMostObjectLines); ++i) {
+    text += line("", kinds[i].first + (kinds[i].second > 1 ? " (" + std::to_string(kinds[i].second) + " times)" : ""));
+  }
+  return text + rest_line(kinds.size(), kMostObjectLines);
 }
 
 /// The up axis. Formats that do not tell it have a usual one, which many of their files do not keep to.

@@ -1,6 +1,7 @@
 #include "picture/models/models.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "files/message_text.hpp"
@@ -47,8 +48,18 @@ void choose_parts(Scene& scene, const PartRequest& parts, std::size_t first_numb
   if (std::find(keep.begin(), keep.end(), 0) != keep.end()) keep_objects(scene, keep, first_number);
 }
 
-/// `first_number`: number of the file's first object. The request must outlive the options.
-ReadOptions read_options(const ModelRequest& request, std::size_t first_number) {
+/// The name of a file without its folders and its suffix.
+std::string stem_of(const std::string& file) { return std::filesystem::path(file).stem().string(); }
+
+/// Names the only object of one of several files after the file, if it has no name, or one of an STL. Programs write the
+/// same words into every STL.
+void name_after_file(Scene& scene, const std::string& file, ModelFormat format) {
+  const bool is_stl = format == ModelFormat::stl_ascii || format == ModelFormat::stl_binary;
+  if (scene.objects.size() == 1 && (is_stl || scene.objects[0].name.empty())) scene.objects[0].name = stem_of(file);
+}
+
+/// Options for the next file. `first_number`: number of its first object. The request must outlive the options.
+ReadOptions read_options(const ModelRequest& request, std::size_t first_number, const std::string& file) {
   ReadOptions options;
   options.pose = request.pose;
   options.groups = request.tell_parts || request.parts.is_requested();
@@ -59,8 +70,8 @@ ReadOptions read_options(const ModelRequest& request, std::size_t first_number) 
   }
   options.subdivision = request.subdivision;
   if (request.parts.is_requested()) {
-    options.is_subdivided = [&request, first_number](const Object& object, std::size_t i) {
-      return is_drawn(request.parts, object_name(object, first_number + i));
+    options.is_subdivided = [&request, first_number, stem = stem_of(file)](const Object& object, std::size_t i) {
+      return is_drawn(request.parts, object_name(object, first_number + i)) || is_drawn(request.parts, stem);
     };
   }
   return options;
@@ -145,7 +156,8 @@ LoadedModels load_models(const ModelRequest& request) {
   for (const std::string& name : request.files) {
     ModelFile& file = models.files.emplace_back();
     file.name = shown_input(name);
-    Scene scene = read_scene(name, read_options(request, models.object_names.size()), file.warnings, &file.report);
+    Scene scene = read_scene(name, read_options(request, models.object_names.size(), name), file.warnings, &file.report);
+    if (request.files.size() > 1) name_after_file(scene, name, file.report.format);
     scene = choose_and_heal(request, file, models, std::move(scene));
     if (models.files.size() == 1) {
       models.scene = std::move(scene);
@@ -177,7 +189,7 @@ LoadedModels load_model(const ModelRequest& request, Scene scene, const std::str
   file.name = name;
   file.report.faces = scene.faces.size();
   file.report.vertices = scene.vertices.size();
-  clean_read_scene(scene, name, read_options(request, 0), file.warnings, file.report);
+  clean_read_scene(scene, name, read_options(request, 0, name), file.warnings, file.report);
   models.scene = choose_and_heal(request, file, models, std::move(scene));
   check_parts(models, request.parts);
   models.scene.stated.bits |= request.assumed.bits;
