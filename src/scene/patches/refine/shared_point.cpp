@@ -16,6 +16,8 @@ constexpr int kSteps = 12;
 constexpr double kNearer = 0.1, kAccuracy = 1e-4;
 /// Largest distance of a shared point from the middle of the edge, in lengths of the edge: that of a half circle.
 constexpr double kFarthest = 0.5;
+/// A point nearer to the axis than this, in distances of the other end, is an apex: its direction from the axis is rounding.
+constexpr double kApexPart = 1e-3;
 
 /// Normals that differ by a smaller sine are one: the direction of their difference is rounding.
 constexpr double kSameSine = 1e-7;
@@ -31,7 +33,7 @@ Point3 nearest(const SideSurface& side, const Point3& p) { return p - side.dista
 Point3 halfway(const PatchSurface& surface, const Point3& p, const Point3& q) {
   const Point3 middle = 0.5 * (p + q);
   const AxisPlace a = axis_place(surface, p), b = axis_place(surface, q);
-  const Point3 out = a.out + b.out;
+  const Point3 out = a.radius < kApexPart * b.radius ? b.out : b.radius < kApexPart * a.radius ? a.out : a.out + b.out;
   const double length = glm::length(out);
   const bool has_no_circles = surface.kind == SurfaceKind::sphere || surface.kind == SurfaceKind::extruded;
   if (has_no_circles || !(length > 0)) return surface.nearest(middle);
