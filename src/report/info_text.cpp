@@ -142,7 +142,8 @@ std::string objects_text(const SceneFacts& scene) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const ObjectFacts& object = scene.objects[i];
     const std::string value = (object.name.empty() ? "object " + std::to_string(i) : printable(object.name, kLongestName)) +
-                              ": " + std::to_string(object.faces) + " faces, " + closedness(object) + colors_of(scene, object);
+                              ": " + std::to_string(object.faces) + " faces, " + closedness(object) +
+                              colors_of(scene, object);
     const auto [kind, is_new] = kind_of.try_emplace(value, kinds.size());
     if (is_new) kinds.emplace_back(value, 0);
     ++kinds[kind->second].second;
