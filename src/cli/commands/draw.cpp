@@ -275,7 +275,7 @@ void setup_draw(CLI::App& app, DrawOptions& options) {
   add_output_options(draw, options.output);
   add_dpi_option(draw, picture.output.dpi);
   add_curves_option(draw, picture.output.curves, "on; off with --quality exact");
-  add_title_option(draw, picture.output.title, "title of an SVG or PDF");
+  add_title_option(draw, picture.output.title, "title in the metadata of an SVG or PDF; not drawn");
   OptionGroup faces(draw, "Faces");
   faces.add_flag("--shade", picture.gray_faces,
                  "grey faces, lit from the eye, by a method with spans or pixels; without --method by watkins");
