@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -119,13 +121,17 @@ struct ChosenLines {
   std::vector<ShapeLine> tangents;    ///< along fillets
   ProjectedScene candidates;          ///< the edges
   std::optional<EarlyFaces> early;
+  std::optional<PictureMarks> around;  ///< that of the refinement, if it differs from that of the given scene
 };
+
+/// Places the picture of a refined scene on the page, unless the placement of the given one will do.
+using PlaceRefined = std::function<std::optional<PictureMarks>(const Scene&)>;
 
 /// Finds the creases, refines the surfaces behind a coarse mesh, which gives another scene, and chooses the lines along
 /// fillets for this view and the candidate edges. Studies the faces of the given scene meanwhile.
-ChosenLines choose_lines(const PreparedScene& prepared, RunReport& run) {
+ChosenLines choose_lines(const PreparedScene& prepared, const PlaceRefined& place_refined, RunReport& run) {
   const LineRequest& lines = prepared.request.lines;
-  const View& view = prepared.view();
+  const View* view = &prepared.view();
   const Scene* scene = &prepared.scene;
   const Topology* topology = &prepared.topology;
   ChosenLines found;
@@ -142,16 +148,18 @@ ChosenLines choose_lines(const PreparedScene& prepared, RunReport& run) {
     if (is_one) begin_search();
     Creases& creases = found.creases;
     EdgeSelection selection = select_edges(search, lines, lines.studied(), creases, run);
-    decide_sheets_by_view(*scene, *topology, view.camera, creases);
-    if (draws_contours(lines)) found.given = refine_on_page(*scene, *topology, view, prepared.request, creases);
+    decide_sheets_by_view(*scene, *topology, view->camera, creases);
+    if (draws_contours(lines)) found.given = refine_on_page(*scene, *topology, *view, prepared.request, creases);
     if (found.given) {
       scene = &found.given->refined.scene;
       topology = &found.given->refined.topology;
       creases.shapes = {};
+      found.around = place_refined(*scene);
+      if (found.around) view = &found.around->placement.view;
     }
-    found.tangents = choose_tangent_lines(*scene, *topology, prepared.request, view, creases);
+    found.tangents = choose_tangent_lines(*scene, *topology, prepared.request, *view, creases);
     if (!creases.shapes.heights.empty()) selection.shapes = &creases.shapes;
-    found.candidates = select_candidates(*scene, *topology, view, selection);
+    found.candidates = select_candidates(*scene, *topology, *view, selection);
     creases.shapes = {};
   });
   return found;
@@ -165,6 +173,7 @@ PreparedScene refined(PreparedScene prepared, ChosenLines& chosen) {
   given->edges = std::move(prepared.topology.edges);
   prepared.topology = std::move(given->refined.topology);
   chosen.early.reset();
+  if (chosen.around) prepared.around = std::move(*chosen.around);
   return with_scene(std::move(prepared), given->refined.scene);
 }
 
@@ -259,9 +268,17 @@ PreparedScene prepare(const Scene& scene, PictureRequest requested, const std::o
     if (!why.empty()) throw RequestError("", why);
   }
   return timed(run.stages, {"project", faces}, [&] {
-    const CameraPicture picture = picture_of(request.view, request.page, scene);
-    prepared.around = place_with_axes(box, picture, request.page, request.axes, request.heading);
-    ChosenLines chosen = choose_lines(prepared, run);
+    CameraPicture picture = picture_of(request.view, request.page, scene);
+    const auto place_picture = [&] { return place_with_axes(box, picture, request.page, request.axes, request.heading); };
+    prepared.around = place_picture();
+    const auto place_refined = [&](const Scene& refined_scene) -> std::optional<PictureMarks> {
+      if (request.page.extent || request.page.page_mm_per_unit(picture.unit_mm)) return std::nullopt;
+      const Rect seen = projected_extent(refined_scene, picture.camera), given = std::exchange(picture.extent, seen);
+      const Point2 beyond = glm::max(given.min - seen.min, seen.max - given.max) * prepared.view().scale;
+      if (std::max(beyond.x, beyond.y) <= request.page.pen_width_mm) return std::nullopt;
+      return place_picture();
+    };
+    ChosenLines chosen = choose_lines(prepared, place_refined, run);
     PreparedScene placed = refined(std::move(prepared), chosen);
     place_lines(placed, std::move(chosen), run);
     return placed;
