@@ -21,29 +21,6 @@
 
 namespace ligne::newell {
 
-void ListCounts::add(const ListCounts& o) {
-  zones += o.zones;
-  slabs += o.slabs;
-  lists += o.lists;
-  ahead += o.ahead;
-  one_body += o.one_body;
-  separated += o.separated;
-  one_way += o.one_way;
-  opened += o.opened;
-  compared += o.compared;
-  apart_in_x += o.apart_in_x;
-  apart_in_y += o.apart_in_y;
-  behind_plane += o.behind_plane;
-  before_plane += o.before_plane;
-  projections += o.projections;
-  disjoint += o.disjoint;
-  depths += o.depths;
-  farther += o.farther;
-  moved += o.moved;
-  plane_cuts += o.plane_cuts;
-  page_cuts += o.page_cuts;
-}
-
 SortKey sort_key(double reach, std::uint32_t element) {
   const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(0 - reach));
   const std::uint32_t rising = bits >> 31 ? ~bits : bits | 0x80000000u;

@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/add_counts.hpp"
 #include "base/no_index.hpp"
 #include "visibility/common/facet.hpp"
 #include "visibility/newell/paint_elements.hpp"
@@ -166,7 +167,7 @@ struct ListCounts {
   std::uint64_t page_cuts = 0;    ///< elements halved on the page because both planes failed
 
   std::uint64_t cuts() const { return plane_cuts + page_cuts; }
-  void add(const ListCounts& o);
+  void add(const ListCounts& o) { add_counts(*this, o); }
 };
 
 /// Key of an element in the list: farthest depth, farthest first, then element number for depths equal as floats. The list

@@ -1,12 +1,9 @@
 #pragma once
-/// The future crossings of the exact scan, in scan order.
-///
-/// Most crossings lie far below the scan when they are found, and many become invalid before the scan reaches them. They are
-/// therefore stored in buckets by place, and only the current bucket is a heap: a small one of valid crossings.
+/// The future crossings of the exact scan, in scan order; pairs of facets that may penetrate.
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <queue>
 #include <span>
 #include <vector>
 
@@ -26,25 +23,12 @@ struct Crossing {
   bool before(double other_y, double other_x) const { return y != other_y ? y < other_y : x < other_x; }
 };
 
-/// Invariant: the heap contains every crossing before the next fence. Crossings behind the last fence are dropped.
+/// May hold crossings that other events have made invalid.
 class CrossingQueue {
  public:
-  /// Fences ascend in scan order. `open_end`: keeps crossings behind the last fence too.
-  void reset(std::vector<LatticePoint> fences, bool open_end);
-  void put(const Crossing& crossing);
+  void put(const Crossing& crossing) { heap_.push(crossing); }
   /// Removes and returns the next crossing before the place.
   std::optional<Crossing> take_before(double y, double x);
-
-  /// Moves to the next bucket and keeps its crossings for which good(crossing) is true. Requires that all crossings before
-  /// the fence have been taken.
-  template <class Good>
-  void pass_fence(Good good) {
-    ++bucket_;
-    heap_.swap(buckets_[bucket_]);
-    buckets_[bucket_] = {};
-    std::erase_if(heap_, [&](const Crossing& c) { return !good(c); });
-    std::make_heap(heap_.begin(), heap_.end(), Later{});
-  }
 
  private:
   /// Ties are broken by the nodes, so only copies compare equal.
@@ -57,10 +41,7 @@ class CrossingQueue {
     }
   };
 
-  std::vector<LatticePoint> fences_;
-  std::vector<std::vector<Crossing>> buckets_;
-  std::vector<Crossing> heap_;
-  std::size_t bucket_ = 0;
+  std::priority_queue<Crossing, std::vector<Crossing>, Later> heap_;
 };
 
 /// Finds pairs of facets that may penetrate, where the scan first meets both.

@@ -7,9 +7,6 @@
 namespace ligne::watkins {
 namespace {
 
-/// Points per bucket of crossings; the heap contains the crossings of one bucket. Tuned.
-constexpr std::uint32_t kPointsPerBucket = 64;
-
 /// x of an edge at a height within its range; for a horizontal edge the given x.
 double abscissa(LatticePoint top, LatticePoint bottom, double y, double x) {
   if (top.y == bottom.y) return x;
@@ -23,8 +20,6 @@ void ExactSweep::scan(const SweepBand& band) {
   for (std::uint32_t p = band.first; p < band.end; ++p) {
     if (effort_.spent()) return;
     at_crossings(scene_.points[p].y, scene_.points[p].x);
-    if (p > band.first && (p - band.first) % kPointsPerBucket == 0)
-      queue_.pass_fence([this](const Crossing& c) { return still_to_come(c); });
     at_point(p);
     counts_.most_active = std::max(counts_.most_active, active_count_);
   }
@@ -51,12 +46,7 @@ void ExactSweep::begin(const SweepBand& band) {
   next_in_node_.assign(locals, kNone);
   state_of_.assign(locals, kNone);
   const LatticePoint start = scene_.points[band.first];
-  std::vector<LatticePoint> fences;
-  for (std::uint32_t p = band.first + kPointsPerBucket; p < band.end; p += kPointsPerBucket)
-    fences.push_back(scene_.points[p]);
-  const bool last_band = band.end == scene_.points.size();
-  if (!last_band) fences.push_back(scene_.points[band.end]);
-  queue_.reset(std::move(fences), last_band);
+  queue_ = {};
   x_ = start.x;
   y_ = start.y;
   struct Entry {
