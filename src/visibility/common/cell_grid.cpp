@@ -21,8 +21,6 @@ constexpr std::size_t kFacetsPerBlock = 65'536;
 /// Facets per band of rows, each of which a task fills. Every task passes all facets.
 constexpr std::size_t kFacetsPerBand = 16'384;
 constexpr std::size_t kMostBands = 4;
-/// Largest number of entries per band that are kept between counting and filling them. Those of more are found again.
-constexpr std::size_t kMostFound = std::size_t{1} << 18;
 
 }  // namespace
 
@@ -33,11 +31,6 @@ struct CellGrid::Filler {
   };
   struct Rows {
     int begin, end;
-  };
-  /// A facet in the list of a cell, between counting and filling.
-  struct Entry {
-    std::uint32_t cell;
-    CellFacet facet;
   };
 
   const ProjectedScene& scene;
@@ -59,20 +52,19 @@ struct CellGrid::Filler {
   std::size_t facet_number(std::size_t k) const { return wanted.empty() ? k : listed[k]; }
   void find_occluders();
   void fill();
-  std::size_t band_count() const { return std::clamp<std::size_t>(facets.size() / kFacetsPerBand, 1, kMostBands); }
-  /// Divides the rows into bands: calls work(band, rows). One task fills a band and scans all facets, so lists keep the
-  /// order of the facets.
+  /// Divides the rows into bands: calls work(rows). One task fills a band and scans all facets, so lists keep the order of
+  /// the facets.
   template <class Work>
   void for_each_band(Work work) const {
-    const int bands = static_cast<int>(band_count());
-    parallel_tasks(band_count(), [&](std::size_t band) {
-      const int b = static_cast<int>(band);
-      work(band, Rows{grid.rows_ * b / bands, grid.rows_ * (b + 1) / bands});
+    const std::size_t count = std::clamp<std::size_t>(facets.size() / kFacetsPerBand, 1, kMostBands);
+    parallel_tasks(count, [&](std::size_t band) {
+      const int b = static_cast<int>(band), bands = static_cast<int>(count);
+      work(Rows{grid.rows_ * b / bands, grid.rows_ * (b + 1) / bands});
     });
   }
-  /// Calls visit(facet, cell, meeting, z_near, z_far) for all cells in some rows that facets meet. `first`: the first facet.
+  /// Calls visit(facet, cell, meeting, z_near, z_far) for all cells in some rows that facets meet.
   template <class Visit>
-  void for_each_meeting(Rows band, bool large_only, std::size_t first, Visit visit) const;
+  void for_each_meeting(Rows band, bool large_only, Visit visit) const;
 };
 
 bool CellGrid::Filler::choose_cells() {
@@ -161,11 +153,11 @@ void CellGrid::Filler::find_ranges() {
 }
 
 template <class Visit>
-void CellGrid::Filler::for_each_meeting(Rows band, bool large_only, std::size_t first, Visit visit) const {
+void CellGrid::Filler::for_each_meeting(Rows band, bool large_only, Visit visit) const {
   for (std::size_t k = 0; k < filed(); ++k) {
     const std::size_t i = facet_number(k);
     const Range r = ranges[k];
-    if (i < first || r.row1 < band.begin || r.row0 >= band.end) continue;
+    if (r.row1 < band.begin || r.row0 >= band.end) continue;
     const int columns = r.column1 - r.column0 + 1, rows = r.row1 - r.row0 + 1;
     if (large_only && (columns < 3 || rows < 3)) continue;
     const Facet& f = facets[i];
@@ -194,8 +186,8 @@ void CellGrid::Filler::for_each_meeting(Rows band, bool large_only, std::size_t 
 }
 
 void CellGrid::Filler::find_occluders() {
-  for_each_band([&](std::size_t, Rows rows) {
-    for_each_meeting(rows, true, 0, [&](std::size_t i, std::size_t cell, Meeting m, double, double z_far) {
+  for_each_band([&](Rows rows) {
+    for_each_meeting(rows, true, [&](std::size_t i, std::size_t cell, Meeting m, double, double z_far) {
       if (m != Meeting::covers || !hides(facets[i])) return;
       float& cover = grid.cells_[cell].occluder_depth;
       cover = std::min(cover, round_up(z_far + facets[i].depth_tolerance));
@@ -207,20 +199,9 @@ void CellGrid::Filler::fill() {
   const auto kept = [&](std::size_t cell, double z_near) {
     return !options.drop_hidden || !(z_near > grid.cells_[cell].occluder_depth);
   };
-  std::vector<std::vector<Entry>> found(band_count());
-  std::vector<std::size_t> first_left(band_count(), facets.size());  // per band: the first facet not in `found`
-  for_each_band([&](std::size_t band, Rows rows) {
-    std::vector<Entry>& entries = found[band];
-    std::size_t& left = first_left[band];
-    for_each_meeting(rows, false, 0, [&](std::size_t i, std::size_t cell, Meeting, double z_near, double) {
-      if (!kept(cell, z_near)) return;
-      ++grid.cells_[cell].count;
-      if (i >= left) return;
-      if (entries.size() == kMostFound) {
-        left = i;
-      } else {
-        entries.push_back({static_cast<std::uint32_t>(cell), {static_cast<std::uint32_t>(i), round_down(z_near), {}}});
-      }
+  for_each_band([&](Rows rows) {
+    for_each_meeting(rows, false, [&](std::size_t, std::size_t cell, Meeting, double z_near, double) {
+      if (kept(cell, z_near)) ++grid.cells_[cell].count;
     });
   });
   std::uint32_t begin = 0;
@@ -231,18 +212,11 @@ void CellGrid::Filler::fill() {
   }
   auto& list = grid.arenas_[0].list;
   list.resize(begin);
-  const auto enter = [&](std::size_t cell, const CellFacet& facet) {
-    Cell& c = grid.cells_[cell];
-    list[c.begin + c.count++] = facet;
-  };
-  for_each_band([&](std::size_t band, Rows rows) {
-    const std::size_t left = first_left[band];
-    for (const auto& [cell, facet] : found[band]) {
-      if (facet.facet < left) enter(cell, facet);
-    }
-    if (left == facets.size()) return;
-    for_each_meeting(rows, false, left, [&](std::size_t i, std::size_t cell, Meeting, double z_near, double) {
-      if (kept(cell, z_near)) enter(cell, {static_cast<std::uint32_t>(i), round_down(z_near), {}});
+  for_each_band([&](Rows rows) {
+    for_each_meeting(rows, false, [&](std::size_t i, std::size_t cell, Meeting, double z_near, double) {
+      if (!kept(cell, z_near)) return;
+      Cell& c = grid.cells_[cell];
+      list[c.begin + c.count++] = {static_cast<std::uint32_t>(i), round_down(z_near), {}};
     });
   });
 }

@@ -7,7 +7,6 @@
 #include <tuple>
 #include <utility>
 
-#include "base/hash.hpp"
 #include "base/parallel.hpp"
 #include "view/tolerances.hpp"
 #include "visibility/common/facet.hpp"
@@ -40,38 +39,6 @@ constexpr std::size_t kManyItems = 1024, kItemsPerTask = 256;
 /// Least number of facets in a leaf for the test whether they lie in one plane. Adjustable.
 constexpr std::size_t kSeveral = 4;
 
-/// A cache of pairs of facets without a common segment. If hundreds of facets meet in one line, every pair of them
-/// comes up in all leaves along it. The table grows with its entries, since most scenes have few such pairs; a new
-/// entry may replace an old one.
-class FailedPairs {
- public:
-  bool holds(std::uint32_t a, std::uint32_t b) const { return !slots_.empty() && slots_[slot(key(a, b))] == key(a, b); }
-  void add(std::uint32_t a, std::uint32_t b) {
-    if (2 * added_ >= slots_.size() && bits_ < kMostBits) grow();
-    slots_[slot(key(a, b))] = key(a, b);
-    ++added_;
-  }
-
- private:
-  static constexpr int kFirstBits = 10, kMostBits = 20, kGrowBits = 2;
-  /// Key of a pair; never 0, as the two numbers differ.
-  static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return std::uint64_t{std::max(a, b)} << 32 | std::min(a, b); }
-  std::size_t slot(std::uint64_t key) const { return (key * kGoldenRatio) >> (64 - bits_); }
-
-  void grow() {
-    const std::vector<std::uint64_t> old = std::move(slots_);
-    bits_ = old.empty() ? kFirstBits : std::min(bits_ + kGrowBits, kMostBits);
-    slots_.assign(std::size_t{1} << bits_, 0);
-    for (const std::uint64_t key : old) {
-      if (key != 0) slots_[slot(key)] = key;
-    }
-  }
-
-  std::vector<std::uint64_t> slots_;
-  std::size_t added_ = 0;  ///< number of additions, including entries that were replaced
-  int bits_ = 0;
-};
-
 double least_steps(const ProjectedScene& scene) { return kLeastPartMm / scene.lattice.step_mm; }
 
 /// Work space and results of one task's comparisons.
@@ -79,7 +46,6 @@ struct Comparisons {
   Comparisons(const ProjectedScene& scene, const std::vector<Facet>& facets, const PenetrationSearch& all)
       : found(all.empty_copy()), hiders(scene, facets, least_steps(scene)) {}
   PenetrationSearch found;
-  FailedPairs fruitless;
   OccluderCache hiders;
 };
 
@@ -224,16 +190,12 @@ class LeafSearch {
     if (b.z_near > a.z_far) return false;
     if (!b.box.meets(a.box) || a.place.face == b.place.face) return true;
     if (planes_[i].apart(planes_[k]) || (many && planes_[i].group == planes_[k].group)) return true;
-    // The test for an overlap comes first: the look-up is a cache miss, and where many facets lie side by side, as along
-    // a rod, nearly all pairs have no overlap.
-    if (!PenetrationSearch::overlap(a.place, b.place)) return true;
-    if (own.fruitless.holds(a.place.id, b.place.id)) return true;
     const auto pair_wanted = [&](const PageSegment& s) {
       if (!wanted(s, leaf)) return false;
       const PageLine line(rounded(s.from), rounded(s.to), a.place.face, b.place.face);
       return !own.hiders.hide(line, {leaf.list, leaf.cell.count}, leaf.square);
     };
-    if (!own.found.test(a.place, b.place, pair_wanted)) own.fruitless.add(a.place.id, b.place.id);
+    own.found.test(a.place, b.place, pair_wanted);
     return true;
   }
 

@@ -105,22 +105,11 @@ class PenetrationSearch {
   PlacedFacet place(std::uint32_t facet) const;
 
   /// Tests two facets of different faces. Collects the pair if it has a common segment and `wanted(segment)`; a side of
-  /// one facet in the plane of the other is always collected. Returns whether there is a common segment.
+  /// one facet in the plane of the other is always collected.
   template <class Wanted>
-  bool test(const PlacedFacet& a, const PlacedFacet& b, Wanted wanted) {
-    return overlap(a, b) && test_overlapping(a, b, wanted);
-  }
-
-  /// Whether the two overlap on the page and have no common side, as any penetration requires. Decided on the lattice,
-  /// and much cheaper than the rest.
-  static bool overlap(const PlacedFacet& a, const PlacedFacet& b);
-
-  /// The rest of test(), for facets that overlap.
-  template <class Wanted>
-  bool test_overlapping(const PlacedFacet& a, const PlacedFacet& b, Wanted wanted) {
+  void test(const PlacedFacet& a, const PlacedFacet& b, Wanted wanted) {
     const auto found = segment_of(a, b);
     if (found && wanted(found->segment)) pairs_.push_back(found->pair);
-    return found.has_value();
   }
 
   /// Removes repeated results if there are many: neighbouring leaves have common pairs.
