@@ -1,7 +1,6 @@
 #include "linework/map/line_groups.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "base/disjoint_sets.hpp"
 #include "base/parallel.hpp"
@@ -106,13 +105,11 @@ Arcs::Arcs(const LineMap& map, double reach)
     is_left_[p] = map.is_alive(p) && junction_of_[2 * p] != junction_of_[2 * p + 1];
     if (is_left_[p]) ++degree_[junction_of_[2 * p]], ++degree_[junction_of_[2 * p + 1]];
   }
-  first_at_.assign(ends + 1, 0);
-  std::partial_sum(degree_.begin(), degree_.end(), first_at_.begin() + 1);
-  at_junction_.resize(first_at_.back());
-  std::vector<std::uint32_t> next(first_at_.begin(), first_at_.end() - 1);
-  for (std::uint32_t end = 0; end < ends; ++end) {
-    if (is_left_[end / 2]) at_junction_[next[junction_of_[end]]++] = end;
-  }
+  at_junction_ = {ends, [&](const auto& put) {
+                    for (std::uint32_t end = 0; end < ends; ++end) {
+                      if (is_left_[end / 2]) put(junction_of_[end], end);
+                    }
+                  }};
 }
 
 std::uint32_t Arcs::next(std::uint32_t end) const {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/index_lists.hpp"
 #include "base/no_index.hpp"
 #include "linework/map/line_map.hpp"
 
@@ -57,9 +58,7 @@ class Arcs {
   /// Whether an end of a remaining piece is the only one at its junction.
   bool is_free(std::uint32_t end) const { return has(end / 2) && degree(junction_of(end)) == 1; }
   /// All ends that belonged to the junction originally, ascending.
-  std::span<const std::uint32_t> ends_at(std::uint32_t junction) const {
-    return {at_junction_.data() + first_at_[junction], at_junction_.data() + first_at_[junction + 1]};
-  }
+  std::span<const std::uint32_t> ends_at(std::uint32_t junction) const { return at_junction_[junction]; }
   /// The end that continues an end of a remaining piece, or kNone: the other of exactly two at a junction.
   std::uint32_t next(std::uint32_t end) const;
   /// The arcs of the remaining pieces, in the order of their lowest pieces. A ring begins with its lowest piece.
@@ -72,10 +71,10 @@ class Arcs {
   Arc arc_of(std::span<const std::uint32_t> ends, bool is_ring) const;
 
   const LineMap& map_;
-  std::vector<std::uint32_t> junction_of_;             ///< by end
-  std::vector<std::uint32_t> degree_;                  ///< by junction
-  std::vector<std::uint32_t> first_at_, at_junction_;  ///< for each junction the index of its first end; the ends
-  std::vector<std::uint8_t> is_left_;                  ///< by piece
+  std::vector<std::uint32_t> junction_of_;  ///< by end
+  std::vector<std::uint32_t> degree_;       ///< by junction
+  IndexLists at_junction_;                  ///< ends by junction
+  std::vector<std::uint8_t> is_left_;       ///< by piece
 };
 
 /// The chain that begins at a free end of a living piece, without its junctions. Empty if it is longer than `most`.

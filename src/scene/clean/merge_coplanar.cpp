@@ -14,6 +14,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/index_lists.hpp"
 #include "base/no_index.hpp"
 #include "scene/clean/clean.hpp"
 #include "scene/clean/compact.hpp"
@@ -101,28 +102,19 @@ class ObjectMerger {
   }
 
   void pair_corners() {
-    // Corners, sorted by the lower vertex of their edge, then by the higher one.
     const std::uint32_t n = static_cast<std::uint32_t>(next_.size());
     const auto ends = [&](std::uint32_t k) { return std::minmax({vertex(k), vertex(next_[k])}); };
-    std::vector<std::uint32_t> bucket(object_.vertex_end - object_.vertex_begin + 1, 0);
-    for (std::uint32_t k = 0; k < n; ++k) ++bucket[ends(k).first - object_.vertex_begin];
-    std::exclusive_scan(bucket.begin(), bucket.end(), bucket.begin(), 0u);
-    std::vector<std::uint32_t> sorted(n);
-    for (std::uint32_t k = 0; k < n; ++k) sorted[bucket[ends(k).first - object_.vertex_begin]++] = k;
+    // Corners by the lower vertex of their edge, sorted by the higher one.
+    IndexLists by_vertex = numbers_by_key(object_.vertex_end - object_.vertex_begin, n,
+                                          [&](std::uint32_t k) { return ends(k).first - object_.vertex_begin; });
     mate_.assign(n, kNone);
-    for (std::uint32_t i = 0; i < n;) {
-      const std::uint32_t low = ends(sorted[i]).first;
-      const std::uint32_t bucket_end = bucket[low - object_.vertex_begin];
-      const auto first = sorted.begin() + i, last = sorted.begin() + bucket_end;
-      std::sort(first, last, [&](std::uint32_t a, std::uint32_t b) {
-        return std::pair(ends(a).second, a) < std::pair(ends(b).second, b);
-      });
-      for (; i < bucket_end;) {
-        std::uint32_t same = i + 1;
-        while (same < bucket_end && ends(sorted[same]).second == ends(sorted[i]).second) ++same;
-        const std::uint32_t a = sorted[i], b = sorted[same - 1];
+    for (std::size_t v = 0; v < by_vertex.size(); ++v) {
+      const std::span<std::uint32_t> corners = by_vertex[v];
+      std::ranges::sort(corners, {}, [&](std::uint32_t k) { return std::pair(ends(k).second, k); });
+      for (std::size_t i = 0, same = 0; i < corners.size(); i = same) {
+        while (same < corners.size() && ends(corners[same]).second == ends(corners[i]).second) ++same;
+        const std::uint32_t a = corners[i], b = corners[same - 1];
         if (same - i == 2 && vertex(a) == vertex(next_[b]) && vertex(a) != vertex(b)) mate_[a] = b, mate_[b] = a;
-        i = same;
       }
     }
   }

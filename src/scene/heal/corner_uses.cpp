@@ -23,31 +23,21 @@ CornerUses::CornerUses(const Scene& scene, const Object& object, std::span<const
     std::uint32_t& number = number_[v - first_vertex_];
     if (number == 0) number = ++count;
   }
-  begin_.assign(count + 2, 0);
-  for (const std::uint32_t f : faces) {
-    for (const std::uint32_t v : corners_of(scene.faces, f)) ++begin_[number_[v - first_vertex_] + 1];
-  }
-  begin_[1] = 0;  // drops the count of vertices not requested
-  for (std::size_t k = 1; k < begin_.size(); ++k) begin_[k] += begin_[k - 1];
-  uses_.resize(begin_.back());
-  std::vector<std::uint32_t> next = begin_;
-  for (const std::uint32_t f : faces) {
-    const bool triangle = is_triangle(scene.faces, f);
-    for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
-      const auto contour = scene.faces.contour(f, c);
-      const std::size_t n = contour.size();
-      for (std::size_t k = 0; k < n; ++k) {
-        const std::uint32_t number = number_[contour[k] - first_vertex_];
-        if (number == 0) continue;
-        uses_[next[number]++] = {contour[k], contour[k == 0 ? n - 1 : k - 1], contour[k + 1 == n ? 0 : k + 1], f, triangle};
+  const auto add_uses = [&](const auto& put) {
+    for (const std::uint32_t f : faces) {
+      const bool triangle = is_triangle(scene.faces, f);
+      for (std::size_t c = 0; c < scene.faces.contour_count(f); ++c) {
+        const auto contour = scene.faces.contour(f, c);
+        const std::size_t n = contour.size();
+        for (std::size_t k = 0; k < n; ++k) {
+          const std::uint32_t number = number_[contour[k] - first_vertex_];
+          if (number == 0) continue;
+          put(number, CornerUse{contour[k], contour[k == 0 ? n - 1 : k - 1], contour[k + 1 == n ? 0 : k + 1], f, triangle});
+        }
       }
     }
-  }
-}
-
-std::span<const CornerUse> CornerUses::of(std::uint32_t v) const {
-  const std::uint32_t number = number_[v - first_vertex_];
-  return {uses_.data() + begin_[number], uses_.data() + begin_[number + 1]};
+  };
+  uses_ = {count + std::size_t{1}, add_uses};
 }
 
 bool turns_over(const Point3& p, const Point3& q, const Point3& before, const Point3& after, double precision) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/index_lists.hpp"
 #include "scene/model/scene.hpp"
 
 namespace ligne {
@@ -24,13 +25,12 @@ class CornerUses {
              const std::vector<std::uint32_t>& vertices);
 
   /// The uses of a vertex, in the order of the faces.
-  std::span<const CornerUse> of(std::uint32_t v) const;
+  std::span<const CornerUse> of(std::uint32_t v) const { return uses_[number_[v - first_vertex_]]; }
 
  private:
   std::uint32_t first_vertex_;
   std::vector<std::uint32_t> number_;  ///< per vertex of the object: its number, from 1 on; 0: not requested
-  std::vector<std::uint32_t> begin_;   ///< per number: its first use; and the end
-  std::vector<CornerUse> uses_;
+  ListsOf<CornerUse> uses_;            ///< per number
 };
 
 /// Whether the triangle p, before, after turns over or loses its area when its corner p moves to q. False for a

@@ -1,6 +1,5 @@
 #include "scene/heal/edge_tree.hpp"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -153,7 +152,7 @@ NearestPoint nearest_among(std::span<const EdgeTree::Segment> segments, std::spa
 
 SegmentCells::SegmentCells(std::span<const EdgeTree::Segment> segments, double reach) {
   choose_cells(segments, reach);
-  begin_.assign(std::bit_ceil(4 * segments.size() + 1) + 1, 0);
+  slots_ = std::bit_ceil(4 * segments.size() + 1);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> listed;  // slot, segment
   listed.reserve(4 * segments.size());
   for (std::uint32_t s = 0; s < segments.size(); ++s) {
@@ -173,11 +172,9 @@ SegmentCells::SegmentCells(std::span<const EdgeTree::Segment> segments, double r
       }
     }
   }
-  for (const auto& entry : listed) ++begin_[entry.first + 1];
-  for (std::size_t slot = 1; slot < begin_.size(); ++slot) begin_[slot] += begin_[slot - 1];
-  listed_.resize(listed.size());
-  std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-  for (const auto& entry : listed) listed_[next[entry.first]++] = entry.second;
+  listed_ = {slots_, [&](const auto& put) {
+               for (const auto& [slot, segment] : listed) put(slot, segment);
+             }};
 }
 
 void SegmentCells::choose_cells(std::span<const EdgeTree::Segment> segments, double reach) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/hash.hpp"
+#include "base/index_lists.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "geometry/point.hpp"
@@ -77,7 +78,7 @@ class SegmentCells {
   /// All segments within reach of a point in the segments' bounding box. May list others too, and repeat some.
   std::span<const std::uint32_t> near(const Point3& p) const {
     const std::size_t slot = slot_of(cell_of(p));
-    return {listed_.data() + begin_[slot], listed_.data() + begin_[slot + 1]};
+    return listed_[slot];
   }
 
  private:
@@ -89,14 +90,14 @@ class SegmentCells {
     return {static_cast<std::int64_t>(q.x), static_cast<std::int64_t>(q.y), static_cast<std::int64_t>(q.z)};
   }
   std::size_t slot_of(const Cell& cell) const {
-    return extend_hash(0, static_cast<std::uint64_t>(cell.x << 42 ^ cell.y << 21 ^ cell.z)) & (begin_.size() - 2);
+    return extend_hash(0, static_cast<std::uint64_t>(cell.x << 42 ^ cell.y << 21 ^ cell.z)) & (slots_ - 1);
   }
   void choose_cells(std::span<const EdgeTree::Segment> segments, double reach);
 
   Point3 low_{0, 0, 0};
   double side_ = 1, margin_ = 0;
-  std::vector<std::uint32_t> begin_;   ///< per slot (their number is a power of two): the first segment; and the end
-  std::vector<std::uint32_t> listed_;  ///< segments
+  std::size_t slots_ = 1;  ///< a power of two
+  IndexLists listed_;      ///< segments per slot
 };
 
 }  // namespace ligne

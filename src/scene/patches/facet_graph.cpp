@@ -1,13 +1,11 @@
 #include "scene/patches/facet_graph.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <utility>
 
-#include "base/indices_where.hpp"
 #include "base/large_vector.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
@@ -70,23 +68,15 @@ class GraphBuilder {
     const FlatSets sets = flat_sets(scene_, object_, edges, joints, order);
     graph_.has_small_faces = sets.has_small_faces;
     graph_.facet_of.assign(count, kNone);
-    std::vector<std::uint32_t>& begins = graph_.faces.begin;
-    begins.reserve(count + 1);
+    std::uint32_t facets = 0;
     for (const std::uint32_t f : order) {
       std::uint32_t& facet = graph_.facet_of[sets.set_of[f]];
-      if (facet == kNone) {
-        facet = static_cast<std::uint32_t>(begins.size() - 1);
-        begins.push_back(0);
-      }
+      if (facet == kNone) facet = facets++;
       graph_.facet_of[f] = facet;
-      ++begins[facet + 1];
     }
-    std::partial_sum(begins.begin(), begins.end(), begins.begin());
-    graph_.faces.values.resize(count);
-    for (const std::uint32_t f : order) graph_.faces.values[begins[graph_.facet_of[f]]++] = first + f;
-    // Each of them has moved to where the next one begins.
-    std::copy_backward(begins.begin(), begins.end() - 1, begins.end());
-    begins.front() = 0;
+    graph_.faces = {facets, [&](const auto& put) {
+                      for (const std::uint32_t f : order) put(graph_.facet_of[f], first + f);
+                    }};
   }
 
   /// A face of the object, numbered from 0, behind its three lowest vertices.

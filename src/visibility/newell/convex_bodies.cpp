@@ -1,6 +1,7 @@
 #include "visibility/newell/convex_bodies.hpp"
 
 #include "base/disjoint_sets.hpp"
+#include "base/index_lists.hpp"
 
 namespace ligne::newell {
 namespace {
@@ -19,19 +20,10 @@ ConvexBodies::ConvexBodies(const Scene& scene, const ModelPieces& pieces, const 
   }
   // Groups the triangles by set, in their order.
   const std::vector<Triangle>& triangles = pieces.triangles();
-  const auto root = [&](std::uint32_t t) { return sets.find(triangles[t].v[0]); };
-  std::vector<std::uint32_t> next(scene.vertices.size() + 1, 0);
-  const auto n = static_cast<std::uint32_t>(triangles.size());
-  for (std::uint32_t t = 0; t < n; ++t) ++next[root(t) + 1];
-  for (std::size_t v = 1; v < next.size(); ++v) next[v] += next[v - 1];
-  std::vector<std::uint32_t> sorted(n);
-  for (std::uint32_t t = 0; t < n; ++t) sorted[next[root(t)]++] = t;
-  std::vector<std::uint32_t> shell;
-  for (std::uint32_t begin = 0; begin < n;) {
-    std::uint32_t end = begin + 1;
-    while (end < n && root(sorted[end]) == root(sorted[begin])) ++end;
-    shell.assign(sorted.begin() + begin, sorted.begin() + end);
-    begin = end;
+  const IndexLists shells =
+      numbers_by_key(scene.vertices.size(), triangles.size(), [&](std::uint32_t t) { return sets.find(triangles[t].v[0]); });
+  for (std::size_t root = 0; root < shells.size(); ++root) {
+    const std::span<const std::uint32_t> shell = shells[root];
     const bool one_face = std::all_of(shell.begin(), shell.end(),
                                       [&](std::uint32_t t) { return triangles[t].face == triangles[shell[0]].face; });
     if (one_face) continue;
@@ -48,7 +40,7 @@ ConvexBodies::ConvexBodies(const Scene& scene, const ModelPieces& pieces, const 
   }
 }
 
-void ConvexBodies::collect_vertices(const std::vector<std::uint32_t>& shell, const ModelPieces& pieces) {
+void ConvexBodies::collect_vertices(std::span<const std::uint32_t> shell, const ModelPieces& pieces) {
   vertices_.clear();
   for (const std::uint32_t t : shell) {
     for (const std::uint32_t v : pieces.triangles()[t].v) vertices_.push_back(v);
@@ -58,8 +50,7 @@ void ConvexBodies::collect_vertices(const std::vector<std::uint32_t>& shell, con
 }
 
 /// Sets is_front_ for the faces of a convex body: the viewer and the body's centre lie on opposite sides of the plane.
-void ConvexBodies::find_fronts(const std::vector<std::uint32_t>& shell, const ModelPieces& pieces,
-                               const Viewpoint& viewpoint) {
+void ConvexBodies::find_fronts(std::span<const std::uint32_t> shell, const ModelPieces& pieces, const Viewpoint& viewpoint) {
   collect_vertices(shell, pieces);
   Point3 middle{0, 0, 0};
   for (const std::uint32_t v : vertices_) middle += pieces.point(v) / double(vertices_.size());
@@ -73,7 +64,7 @@ void ConvexBodies::find_fronts(const std::vector<std::uint32_t>& shell, const Mo
 
 /// True if all vertices of the set lie on one side of each of its planes; then sets is_front_. A non-planar face whose
 /// triangles face the viewer differently makes the result false.
-bool ConvexBodies::lies_on_one_side(const std::vector<std::uint32_t>& shell, const ModelPieces& pieces,
+bool ConvexBodies::lies_on_one_side(std::span<const std::uint32_t> shell, const ModelPieces& pieces,
                                     const Viewpoint& viewpoint) {
   collect_vertices(shell, pieces);
   if (vertices_.size() * shell.size() > kMostHeights) return false;

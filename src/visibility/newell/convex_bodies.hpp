@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/no_index.hpp"
@@ -56,9 +57,9 @@ class ConvexBodies {
   std::uint64_t heights() const { return heights_; }
 
  private:
-  void find_fronts(const std::vector<std::uint32_t>& shell, const ModelPieces& pieces, const Viewpoint& viewpoint);
-  void collect_vertices(const std::vector<std::uint32_t>& shell, const ModelPieces& pieces);
-  bool lies_on_one_side(const std::vector<std::uint32_t>& shell, const ModelPieces& pieces, const Viewpoint& viewpoint);
+  void find_fronts(std::span<const std::uint32_t> shell, const ModelPieces& pieces, const Viewpoint& viewpoint);
+  void collect_vertices(std::span<const std::uint32_t> shell, const ModelPieces& pieces);
+  bool lies_on_one_side(std::span<const std::uint32_t> shell, const ModelPieces& pieces, const Viewpoint& viewpoint);
 
   std::vector<std::uint32_t> body_;  ///< per face, or kNone
   std::vector<std::uint8_t> is_front_;

@@ -204,19 +204,16 @@ void add_body(FoundPart& found, Bodies& bodies) {
 /// Adds the facets of front faces, by body.
 void add_fronts(Bodies& bodies) {
   const auto body_of = [&](const Facet& f) { return bodies.is_front[f.face] ? bodies.of_face[f.face] : kNone; };
-  std::vector<std::uint32_t> next(bodies.list.size() + 1, 0);
-  for (const Facet& f : bodies.facets.facets) {
-    if (body_of(f) != kNone) ++next[body_of(f) + 1];
-  }
-  for (std::size_t b = 1; b < next.size(); ++b) next[b] += next[b - 1];
+  ListsOf<Facet> fronts(bodies.list.size(), [&](const auto& put) {
+    for (const Facet& f : bodies.facets.facets) {
+      if (body_of(f) != kNone) put(body_of(f), f);
+    }
+  });
   for (std::size_t b = 0; b < bodies.list.size(); ++b) {
-    bodies.list[b].front_begin = next[b];
-    bodies.list[b].front_end = next[b + 1];
+    bodies.list[b].front_begin = fronts.begin[b];
+    bodies.list[b].front_end = fronts.begin[b + 1];
   }
-  bodies.front.resize(next.back());
-  for (const Facet& f : bodies.facets.facets) {
-    if (body_of(f) != kNone) bodies.front[next[body_of(f)]++] = f;
-  }
+  bodies.front = std::move(fronts.values);
 }
 
 double area_of(const Bodies& bodies, std::uint32_t facet) {

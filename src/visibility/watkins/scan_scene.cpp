@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/no_index.hpp"
 #include "visibility/polygons/facet_order.hpp"
@@ -122,13 +121,11 @@ ScanScene make_scan_scene(const ProjectedScene& scene, const std::vector<Facet>&
     for (std::uint32_t i = 0; i < line_ends.size(); ++i) use(line_ends[i][0], line_ends[i][1], true, i);
   };
   const std::vector<ScanEdge> edges = make_edges(result, vertices, uses_by_end(vertices.size(), for_each_use));
-  // Counting sort by first line.
-  result.first_of_line.assign(std::size_t{grid.count} + 2, 0);
-  for (const ScanEdge& e : edges) ++result.first_of_line[e.track.first + 1];
-  std::partial_sum(result.first_of_line.begin(), result.first_of_line.end(), result.first_of_line.begin());
-  result.edges.resize(edges.size());
-  std::vector<std::uint32_t> place(result.first_of_line.begin(), result.first_of_line.end() - 1);
-  for (const ScanEdge& e : edges) result.edges[place[e.track.first]++] = e;
+  ListsOf<ScanEdge> by_first_line(std::size_t{grid.count} + 1, [&](const auto& put) {
+    for (const ScanEdge& e : edges) put(e.track.first, e);
+  });
+  result.first_of_line = std::move(by_first_line.begin);
+  result.edges = std::move(by_first_line.values);
   result.unlisted = static_cast<std::uint32_t>(result.edges.size());
   result.edges.emplace_back();
   result.edges.back().track.last = kNone;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 #include "base/no_index.hpp"
@@ -67,28 +66,29 @@ std::vector<TrackedPart> StateTracker::take_parts() {
   return std::move(parts_);
 }
 
-TrackedParts::TrackedParts(const std::vector<std::vector<TrackedPart>>& parts, std::size_t line_count)
-    : first_(line_count + 1, 0) {
+TrackedParts::TrackedParts(const std::vector<std::vector<TrackedPart>>& parts, std::size_t line_count) {
   std::vector<TrackedPart> all;
   for (const std::vector<TrackedPart>& group : parts) all.insert(all.end(), group.begin(), group.end());
   std::stable_sort(all.begin(), all.end(), [](const TrackedPart& a, const TrackedPart& b) { return a.line < b.line; });
+  std::vector<TrackedPart> joined;
   for (const TrackedPart& part : all) {
-    if (!parts_.empty() && parts_.back().line == part.line && parts_.back().last + 1 == part.first) {
-      parts_.back().last = part.last;
-      parts_.back().to = part.to;
-      parts_.back().beyond = part.beyond;
+    if (!joined.empty() && joined.back().line == part.line && joined.back().last + 1 == part.first) {
+      joined.back().last = part.last;
+      joined.back().to = part.to;
+      joined.back().beyond = part.beyond;
     } else {
-      parts_.push_back(part);
-      ++first_[part.line + 1];
+      joined.push_back(part);
     }
   }
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  parts_ = {line_count, [&](const auto& put) {
+              for (const TrackedPart& part : joined) put(part.line, part);
+            }};
 }
 
 std::vector<LinePart> TrackedParts::visible_parts(std::size_t line, PartEnd end) const {
   std::vector<LinePart> parts;
-  for (std::uint32_t i = first_[line]; i < first_[line + 1]; ++i) {
-    const double from = parts_[i].from, to = end == PartEnd::first_hidden ? parts_[i].beyond : parts_[i].to;
+  for (const TrackedPart& part : parts_[line]) {
+    const double from = part.from, to = end == PartEnd::first_hidden ? part.beyond : part.to;
     parts.push_back({std::min(from, to), std::max(from, to)});
   }
   std::sort(parts.begin(), parts.end(), [](const LinePart& a, const LinePart& b) { return a.from < b.from; });
@@ -105,8 +105,8 @@ std::vector<LinePart> TrackedParts::visible_parts(std::size_t line, PartEnd end)
 }
 
 std::size_t TrackedParts::points() const {
-  return static_cast<std::size_t>(
-      std::count_if(parts_.begin(), parts_.end(), [](const TrackedPart& part) { return part.first == part.last; }));
+  const auto is_point = [](const TrackedPart& part) { return part.first == part.last; };
+  return static_cast<std::size_t>(std::ranges::count_if(parts_.values, is_point));
 }
 
 /// A place on a line of the grid as a point of the page.

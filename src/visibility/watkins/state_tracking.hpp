@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/add_counts.hpp"
+#include "base/index_lists.hpp"
 #include "visibility/common/hidden_interval.hpp"
 #include "visibility/common/open_parts.hpp"
 #include "visibility/penetration/penetration.hpp"
@@ -68,8 +69,7 @@ class TrackedParts {
   std::size_t points() const;  ///< parts that are visible on one line only
 
  private:
-  std::vector<std::uint32_t> first_;
-  std::vector<TrackedPart> parts_;
+  ListsOf<TrackedPart> parts_;  ///< by line
 };
 
 /// The curves along which skew faces penetrate others: a straight piece from each line to the next. A piece is left out

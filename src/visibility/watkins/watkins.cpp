@@ -331,10 +331,6 @@ VisibilityResult WatkinsStudy::run() {
   return std::move(result_);
 }
 
-}  // namespace
-
-namespace {
-
 /// The study of a scene whose skew faces, if any, have the surfaces of `skew`.
 VisibilityResult study(const ProjectedScene& scene, const VisibilityOptions& options, const SkewFaces* skew) {
   const std::optional<OpaqueScene> opaque = without_transparent_faces(scene, TransparentEdges::kept);
