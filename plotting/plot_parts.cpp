@@ -1,6 +1,5 @@
 #include "plotting/plot_parts.hpp"
 
-#include <algorithm>
 #include <functional>
 #include <map>
 #include <span>

@@ -1,5 +1,4 @@
 #include "areas/coverage.hpp"
-#include "base/no_index.hpp"
 
 #include <algorithm>
 

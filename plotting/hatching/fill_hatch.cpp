@@ -1,6 +1,5 @@
 /// Fills areas of read drawings with strokes.
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <span>

@@ -7,8 +7,6 @@
 
 #include <utility>
 
-#include "base/no_index.hpp"
-
 namespace ligne {
 namespace {
 

@@ -5,12 +5,9 @@
 #include <span>
 #include <vector>
 
-#include <glm/geometric.hpp>
-
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "contours/contour_junctions.hpp"
-#include "contours/contour_sights.hpp"
 #include "contours/contour_support.hpp"
 #include "contours/surfaces/outline_probes.hpp"
 #include "geometry/nearest_on_segment.hpp"

@@ -1,7 +1,6 @@
 #include "geometry/lattice.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace ligne {
 namespace {

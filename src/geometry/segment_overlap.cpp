@@ -1,7 +1,6 @@
 #include "geometry/segment_overlap.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 #include <utility>
 

@@ -1,7 +1,6 @@
 #include "geometry/small_matrices.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace ligne {

@@ -1,7 +1,6 @@
 #include "report/listing.hpp"
 
 #include <cmath>
-#include <string>
 #include <string_view>
 #include <utility>
 

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <unordered_map>
-#include <utility>
 
 #include "base/hash.hpp"
 #include "base/indices_where.hpp"
 #include "base/large_vector.hpp"
-#include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "base/parallel_each.hpp"
 #include "scene/model/bounds.hpp"

@@ -1,7 +1,6 @@
 #include "geometry/polygons/clip_contour_by_contour.hpp"
 
 #include <algorithm>
-#include <cstdint>
 
 #include "geometry/polygons/edge_overlay.hpp"
 

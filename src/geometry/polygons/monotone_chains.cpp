@@ -2,7 +2,6 @@
 
 #include <cassert>
 
-#include "base/no_index.hpp"
 #include "geometry/predicates.hpp"
 
 namespace ligne {

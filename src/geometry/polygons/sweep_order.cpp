@@ -1,7 +1,5 @@
 #include "geometry/polygons/sweep_order.hpp"
 
-#include "base/no_index.hpp"
-
 namespace ligne {
 
 SweepOrder::Node SweepOrder::new_node() {

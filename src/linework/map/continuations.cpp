@@ -16,7 +16,6 @@
 #include <limits>
 #include <queue>
 #include <set>
-#include <vector>
 
 namespace ligne {
 namespace {

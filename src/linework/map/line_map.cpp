@@ -1,13 +1,11 @@
 #include "linework/map/line_map.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <tuple>
 #include <utility>
 
 #include "base/indices_where.hpp"
 #include "base/parallel.hpp"
-#include "linework/stroke_geometry.hpp"
 
 namespace ligne {
 

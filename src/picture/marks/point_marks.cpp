@@ -1,6 +1,5 @@
 #include "picture/marks/point_marks.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "geometry/search/nearest_points.hpp"

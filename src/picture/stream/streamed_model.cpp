@@ -5,7 +5,6 @@
 
 #include "files/message_text.hpp"
 #include "geometry/degrees.hpp"
-#include "picture/choice/method_choice.hpp"
 #include "picture/errors.hpp"
 #include "picture/marks/axes.hpp"
 #include "picture/products.hpp"

@@ -12,7 +12,6 @@
 #include "base/parallel.hpp"
 #include "scene/clean/compact.hpp"
 #include "scene/clean/cut_nonplanar.hpp"
-#include "scene/clean/weld.hpp"
 
 namespace ligne {
 namespace {

@@ -8,8 +8,6 @@
 #include <span>
 #include <unordered_map>
 
-#include "geometry/point.hpp"
-
 namespace ligne {
 namespace {
 

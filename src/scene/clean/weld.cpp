@@ -12,7 +12,6 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <span>
-#include <vector>
 
 #include "base/hash.hpp"
 #include "base/large_vector.hpp"

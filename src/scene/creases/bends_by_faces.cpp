@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <glm/geometric.hpp>
 #include <numbers>
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <map>
@@ -17,8 +16,6 @@
 #include "scene/creases/loose_creases.hpp"
 #include "scene/model/bounds.hpp"
 #include "scene/model/faces_and_edges.hpp"
-#include "scene/model/scene.hpp"
-#include "scene/model/topology.hpp"
 
 namespace ligne {
 namespace {

@@ -18,10 +18,8 @@
 #include "scene/creases/loose_creases.hpp"
 #include "scene/creases/parallel_bends.hpp"
 #include "scene/creases/plane_rims.hpp"
-#include "scene/creases/trace_creases.hpp"
 #include "scene/model/bounds.hpp"
 #include "scene/model/faces_and_edges.hpp"
-#include "scene/patches/borders/patch_edges.hpp"
 
 namespace ligne {
 namespace {

@@ -4,14 +4,12 @@
 #include <array>
 #include <cmath>
 #include <compare>
-#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "scene/model/bounds.hpp"
-#include "scene/model/faces_and_edges.hpp"
 
 namespace ligne {
 namespace {

@@ -4,12 +4,9 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <span>
-#include <vector>
 
 #include "base/disjoint_sets.hpp"
 #include "base/no_index.hpp"

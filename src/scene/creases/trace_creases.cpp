@@ -12,7 +12,6 @@
 #include "base/indices_where.hpp"
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "scene/creases/scan_meshes.hpp"
 
 namespace ligne {
 namespace {

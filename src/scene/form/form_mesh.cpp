@@ -9,7 +9,6 @@
 #include <glm/geometric.hpp>
 
 #include "base/disjoint_sets.hpp"
-#include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "scene/creases/crease_lines.hpp"
 

@@ -8,7 +8,6 @@
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "base/parallel_each.hpp"
-#include "scene/heal/edge_tree.hpp"
 #include "scene/model/faces_and_edges.hpp"
 #include "scene/model/planarity.hpp"
 

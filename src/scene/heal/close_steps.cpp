@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <limits>
@@ -11,7 +10,6 @@
 #include <optional>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "base/key_table.hpp"
 #include "base/no_index.hpp"

@@ -10,13 +10,11 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstdint>
 #include <functional>
 #include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "base/hash.hpp"
 #include "base/indices_where.hpp"
@@ -25,7 +23,6 @@
 #include "scene/clean/compact.hpp"
 #include "scene/heal/face_writer.hpp"
 #include "scene/model/faces_and_edges.hpp"
-#include "scene/model/scene.hpp"
 
 namespace ligne {
 namespace {

@@ -4,7 +4,6 @@
 #include <numeric>
 #include <utility>
 
-#include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "scene/clean/compact.hpp"
 

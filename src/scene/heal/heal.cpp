@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -27,8 +25,6 @@
 #include "scene/model/faces_and_edges.hpp"
 #include "scene/model/find_edges.hpp"
 #include "scene/model/precision.hpp"
-#include "scene/model/scene.hpp"
-#include "scene/model/topology.hpp"
 
 namespace ligne {
 namespace {

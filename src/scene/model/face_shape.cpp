@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "base/no_index.hpp"
-#include "scene/model/topology.hpp"
-
 namespace ligne {
 
 bool is_convex_face(const Scene& scene, std::uint32_t face, double tolerance) {

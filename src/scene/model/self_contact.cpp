@@ -11,7 +11,6 @@
 #include "scene/model/self_contact.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>

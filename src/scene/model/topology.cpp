@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
-#include <utility>
-
-#include <glm/geometric.hpp>
 
 #include "base/indices_where.hpp"
 #include "base/large_vector.hpp"

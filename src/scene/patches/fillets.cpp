@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
-#include <span>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "base/index_lists.hpp"
 #include "base/no_index.hpp"

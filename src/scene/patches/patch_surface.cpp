@@ -1,8 +1,6 @@
 #include "scene/patches/patch_surface.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 
 #include "scene/patches/swept/profile_curve.hpp"
 

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "scene/readers/format_readers.hpp"
-#include "scene/readers/load_bytes.hpp"
 #include "scene/readers/reader.hpp"
 #include "scene/readers/text_lines.hpp"
 #include "scene/readers/zip_archive.hpp"

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "base/large_vector.hpp"
-#include "base/no_index.hpp"
 #include "scene/model/precision.hpp"
 
 namespace ligne {

@@ -7,7 +7,6 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "scene/model/polygon_faces.hpp"
 #include "scene/model/precision.hpp"
 #include "scene/readers/format_readers.hpp"
 #include "scene/readers/reader.hpp"

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "scene/model/diagnostics.hpp"
 #include "scene/readers/text_lines.hpp"
 
 namespace ligne {

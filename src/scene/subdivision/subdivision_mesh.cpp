@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/disjoint_sets.hpp"
-#include "base/no_index.hpp"
 #include "base/parallel.hpp"
 #include "base/parallel_each.hpp"
 #include "scene/model/scene.hpp"

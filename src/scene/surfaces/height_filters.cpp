@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <numeric>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "base/parallel.hpp"
 #include "geometry/degrees.hpp"

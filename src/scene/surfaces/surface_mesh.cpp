@@ -7,7 +7,6 @@
 
 #include "base/no_index.hpp"
 #include "scene/clean/weld.hpp"
-#include "scene/model/diagnostics.hpp"
 #include "scene/model/precision.hpp"
 #include "scene/surfaces/contours/outside_cells.hpp"
 

@@ -1,6 +1,5 @@
 #include "scene/surfaces/surface_points.hpp"
 
-#include <memory>
 #include <string_view>
 #include <utility>
 

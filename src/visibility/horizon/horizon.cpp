@@ -1,10 +1,8 @@
 #include "visibility/horizon/horizon.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 #include "base/parallel.hpp"
 #include "scene/surfaces/height_filters.hpp"
@@ -14,7 +12,6 @@
 #include "visibility/horizon/envelope.hpp"
 #include "visibility/horizon/part_edges.hpp"
 #include "visibility/horizon/part_lines.hpp"
-#include "visibility/horizon/plane_projection.hpp"
 
 namespace ligne {
 namespace horizon {

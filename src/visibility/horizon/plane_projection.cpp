@@ -1,7 +1,5 @@
 #include "visibility/horizon/plane_projection.hpp"
 
-#include <cmath>
-
 namespace ligne::horizon {
 
 PlaneProjection::PlaneProjection(const Camera& camera, double sign_x, double sign_y)

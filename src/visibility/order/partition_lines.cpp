@@ -1,7 +1,5 @@
 #include "visibility/order/partition_lines.hpp"
 
-#include <algorithm>
-
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 

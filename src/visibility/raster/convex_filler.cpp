@@ -1,7 +1,5 @@
 #include "visibility/raster/convex_filler.hpp"
 
-#include "base/no_index.hpp"
-
 namespace ligne {
 namespace {
 

@@ -1,12 +1,8 @@
 #include "scene/patches/borders/seam_section.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include "base/no_index.hpp"
 #include "geometry/small_matrices.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <glm/geometric.hpp>
 #include <map>
 #include <utility>

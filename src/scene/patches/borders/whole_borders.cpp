@@ -9,7 +9,6 @@
 #include "geometry/degrees.hpp"
 #include "scene/model/faces_and_edges.hpp"
 #include "scene/patches/borders/edge_chains.hpp"
-#include "scene/patches/borders/patch_edges.hpp"
 
 namespace ligne {
 namespace {

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "base/indices_where.hpp"
-#include "base/no_index.hpp"
 #include "geometry/degrees.hpp"
 #include "scene/model/edge_rows.hpp"
 #include "scene/model/faces_and_edges.hpp"

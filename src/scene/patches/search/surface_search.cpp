@@ -1,13 +1,10 @@
 #include "scene/patches/search/surface_search.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
-
-#include "base/no_index.hpp"
 
 namespace ligne {
 namespace {

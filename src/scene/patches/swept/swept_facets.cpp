@@ -1,6 +1,5 @@
 #include "scene/patches/swept/swept_facets.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>

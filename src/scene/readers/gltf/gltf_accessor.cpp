@@ -5,11 +5,9 @@
 #include <cstring>
 #include <limits>
 #include <type_traits>
-#include <vector>
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
-#include "scene/model/polygon_faces.hpp"
 
 namespace ligne {
 namespace {

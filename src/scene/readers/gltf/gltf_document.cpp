@@ -7,9 +7,7 @@
 #include <utility>
 
 #include "files/message_text.hpp"
-#include "scene/model/diagnostics.hpp"
 #include "scene/readers/folder_file.hpp"
-#include "scene/readers/text_lines.hpp"
 
 namespace ligne {
 namespace {

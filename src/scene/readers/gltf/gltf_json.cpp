@@ -8,15 +8,12 @@
 #include <array>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <set>
 
-#include "scene/model/diagnostics.hpp"
 #include "scene/readers/gltf/gltf_extensions.hpp"
 #include "scene/readers/gltf/gltf_item.hpp"
 #include "scene/readers/gltf/gltf_motion.hpp"
 #include "scene/readers/json_place.hpp"
-#include "scene/readers/text_lines.hpp"
 
 namespace ligne {
 namespace {

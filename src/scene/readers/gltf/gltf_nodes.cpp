@@ -9,10 +9,8 @@
 #include <numbers>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "base/no_index.hpp"
-#include "scene/model/polygon_faces.hpp"
 #include "scene/readers/gltf/gltf_accessor.hpp"
 #include "scene/readers/gltf/gltf_extensions.hpp"
 

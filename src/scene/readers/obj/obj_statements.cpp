@@ -1,20 +1,11 @@
 #include "scene/readers/obj/obj_statements.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "base/no_index.hpp"
 #include "scene/creases/file_shading.hpp"
-#include "scene/model/diagnostics.hpp"
-#include "scene/model/polygon_faces.hpp"
 #include "scene/model/precision.hpp"
-#include "scene/readers/text_lines.hpp"
-#include "scene/subdivision/crease_tags.hpp"
 #include "scene/subdivision/subdivision_mesh.hpp"
 
 namespace ligne {

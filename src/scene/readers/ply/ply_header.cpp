@@ -1,7 +1,6 @@
 #include "scene/readers/ply/ply_header.hpp"
 
 #include <algorithm>
-#include <initializer_list>
 #include <optional>
 #include <string_view>
 #include <utility>

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cmath>
 
-#include "base/no_index.hpp"
 #include "base/parallel.hpp"
 
 namespace ligne {

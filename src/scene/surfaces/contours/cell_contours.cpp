@@ -1,13 +1,10 @@
 #include "scene/surfaces/contours/cell_contours.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include <glm/geometric.hpp>
 

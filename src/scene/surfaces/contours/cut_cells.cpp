@@ -5,8 +5,6 @@
 
 #include "base/parallel.hpp"
 #include "scene/surfaces/contours/cell_contours.hpp"
-#include "scene/surfaces/grids/grid_edges.hpp"
-#include "scene/surfaces/height_breaks.hpp"
 
 namespace ligne {
 namespace {

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "base/hash.hpp"
-#include "scene/model/diagnostics.hpp"
 #include "scene/surfaces/surface_mesh.hpp"
 
 namespace ligne {

@@ -1,7 +1,5 @@
 // Makes heights of matrices, and of matrices whose rows and columns have positions.
 
-#include <algorithm>
-
 #include "scene/surfaces/grids/grid_formats.hpp"
 #include "scene/surfaces/held_heights.hpp"
 #include "scene/tables/column_names.hpp"

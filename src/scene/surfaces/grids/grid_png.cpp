@@ -9,7 +9,6 @@
 #include <cstring>
 #include <limits>
 
-#include "scene/readers/text_lines.hpp"
 #include "scene/surfaces/grids/grid_formats.hpp"
 #include "scene/surfaces/height_filters.hpp"
 #include "scene/surfaces/held_heights.hpp"

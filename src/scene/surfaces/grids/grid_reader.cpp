@@ -1,7 +1,6 @@
 // Formats are recognised in this order: files with a magic number (PNG, PGM, TIFF and others for GDAL), models, which
 // are not grids, and then text.
 
-#include <algorithm>
 #include <cmath>
 
 #include "files/named_input.hpp"

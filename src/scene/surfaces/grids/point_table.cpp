@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "files/message_text.hpp"
 #include "files/utf16.hpp"

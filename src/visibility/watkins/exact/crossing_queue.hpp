@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "geometry/lattice.hpp"
 #include "visibility/penetration/penetration.hpp"
 #include "visibility/watkins/exact/occluder_grid.hpp"
 #include "visibility/watkins/exact/sweep_scene.hpp"
