@@ -2,6 +2,7 @@
 
 #include "picture/draw_scene.hpp"
 #include "picture/models/models.hpp"
+#include "picture/placement.hpp"
 
 namespace ligne::test {
 namespace {
@@ -23,6 +24,7 @@ Drawn draw(const Scene& scene, std::string_view view, Quality quality, bool draw
   request.lines.quality = quality;
   request.view.named_view = view;
   request.page.pen_width_mm = kPenMm;
+  request.page.extent = projected_extent(scene, camera_of(request.view, scene));  // one place for both qualities
   if (draws_mesh) request.lines.classes.add(LineClass::mesh);
   RunReport run;
   const DrawnScene drawn = draw_lines(scene, request, run);
