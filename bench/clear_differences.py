@@ -25,11 +25,17 @@ LEAST_MM = 1  # of a difference that has a row
 LISTED_MM = 0.5  # least length of a run that --where lists
 
 
+def placement(ligne, scene, view):
+    """Options that place both qualities alike. Without a scale, clear drawings of coarse round parts are fitted by their finer mesh."""
+    run = subprocess.run([ligne, "info", scene, "--json", "--view", view], capture_output=True, text=True)
+    return ["--unit", "mm", "--scale", f"{json.loads(run.stdout)['view']['mm_per_unit']}:1"] if run.returncode == 0 else []
+
+
 def draw(ligne, scene, view, quality, options, folder):
     """({class: [polyline]}, what was said of clear lines)."""
     path = os.path.join(folder, "drawing.json")
     run = subprocess.run([ligne, "draw", scene, "-o", path, "--view", view, "--quality", quality, "--curves", "off",
-                          "--stats", *options], capture_output=True, text=True)
+                          "--stats", *placement(ligne, scene, view), *options], capture_output=True, text=True)
     if run.returncode != 0:
         return None, run.stderr.strip()
     lines = collections.defaultdict(list)
