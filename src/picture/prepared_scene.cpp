@@ -121,10 +121,11 @@ struct ChosenLines {
   std::vector<ShapeLine> tangents;    ///< along fillets
   ProjectedScene candidates;          ///< the edges
   std::optional<EarlyFaces> early;
-  std::optional<PictureMarks> around;  ///< that of the refinement, if it differs from that of the given scene
+  std::optional<PictureMarks> around;  ///< placement of the refinement, if it differs from that of the given scene
 };
 
-/// Places the picture of a refined scene on the page, unless the placement of the given one will do.
+/// Places the picture of a refined scene on the page. Returns nothing if it stays within a pen width of the area of the
+/// given scene, or if the request fixes the place of that one.
 using PlaceRefined = std::function<std::optional<PictureMarks>(const Scene&)>;
 
 /// Finds the creases, refines the surfaces behind a coarse mesh, which gives another scene, and chooses the lines along
@@ -268,15 +269,17 @@ PreparedScene prepare(const Scene& scene, PictureRequest requested, const std::o
     if (!why.empty()) throw RequestError("", why);
   }
   return timed(run.stages, {"project", faces}, [&] {
-    CameraPicture picture = picture_of(request.view, request.page, scene);
-    const auto place_picture = [&] { return place_with_axes(box, picture, request.page, request.axes, request.heading); };
-    prepared.around = place_picture();
+    const auto place_picture = [&](const CameraPicture& picture) {
+      return place_with_axes(box, picture, request.page, request.axes, request.heading);
+    };
+    const CameraPicture picture = picture_of(request.view, request.page, scene);
+    prepared.around = place_picture(picture);
     const auto place_refined = [&](const Scene& refined_scene) -> std::optional<PictureMarks> {
       if (request.page.extent || request.page.page_mm_per_unit(picture.unit_mm)) return std::nullopt;
-      const Rect seen = projected_extent(refined_scene, picture.camera), given = std::exchange(picture.extent, seen);
+      const Rect seen = projected_extent(refined_scene, picture.camera), &given = picture.extent;
       const Point2 beyond = glm::max(given.min - seen.min, seen.max - given.max) * prepared.view().scale;
       if (std::max(beyond.x, beyond.y) <= request.page.pen_width_mm) return std::nullopt;
-      return place_picture();
+      return place_picture({picture.camera, seen, picture.unit_mm});
     };
     ChosenLines chosen = choose_lines(prepared, place_refined, run);
     PreparedScene placed = refined(std::move(prepared), chosen);

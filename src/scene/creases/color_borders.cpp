@@ -35,10 +35,10 @@ struct FreeEdges {
 
 }  // namespace
 
-std::size_t mark_color_borders(const Scene& scene, const Topology& topology, std::vector<std::uint8_t>& lines) {
-  if (scene.face_material.empty()) return 0;
+void mark_color_borders(const Scene& scene, const Topology& topology, std::vector<std::uint8_t>& lines) {
+  if (scene.face_material.empty()) return;
   const std::vector<std::uint32_t> looks = first_of_look(scene.materials);
-  if (std::ranges::all_of(looks, [&](std::uint32_t look) { return look == looks[0]; })) return 0;
+  if (std::ranges::all_of(looks, [&](std::uint32_t look) { return look == looks[0]; })) return;
   const auto look_of = [&](std::uint32_t face) { return looks[scene.face_material[face]]; };
   std::vector<FreeEdges> objects(scene.objects.size());
   for (std::uint32_t e = 0; e < topology.edges.size(); ++e) {
@@ -48,7 +48,6 @@ std::size_t mark_color_borders(const Scene& scene, const Topology& topology, std
     ++object.count;
     if (look_of(edge.face0) != look_of(edge.face1)) object.borders.push_back(e);
   }
-  std::size_t marked = 0;
   for (const auto& [borders, count] : objects) {
     std::set<std::uint32_t> colors;
     for (const std::uint32_t e : borders) {
@@ -57,9 +56,7 @@ std::size_t mark_color_borders(const Scene& scene, const Topology& topology, std
     }
     if (colors.size() > kFewColors && 2 * borders.size() > count) continue;
     for (const std::uint32_t e : borders) lines[e] = kTangentLine;
-    marked += borders.size();
   }
-  return marked;
 }
 
 }  // namespace ligne
