@@ -52,9 +52,7 @@ void add_marks(Layer& layer, const Rect& area, double overlap_mm, const std::str
       layer.lines.add(down);
     }
   }
-  TextItem text;
-  text.text = number;
-  text.height_mm = kNumberMm;
+  TextItem text{.text = number, .height_mm = kNumberMm};
   // In the lower margin where that is high enough, else inside.
   const double below = paper.height_mm - area.max.y;
   text.at = {marks.min.x + 2 * kMarkMm, area.max.y + (below >= 2 * kNumberMm ? 1.5 * kNumberMm : -kNumberMm)};

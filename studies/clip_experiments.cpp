@@ -1,7 +1,6 @@
 // Experiments on the study of polygons and its clip: [Boulle1980] 2.4.2.4, 2.4.3.2 and 3.2.3.4.
 
 #include <algorithm>
-#include <cstdio>
 
 #include "studies/experiments.hpp"
 #include "studies/measure.hpp"

@@ -5,7 +5,6 @@
 /// comparisons and assignments to an existing variable are counted; copies into new variables or parameters are not.
 /// CountedTable counts accesses to tables.
 
-#include <compare>
 #include <cstdint>
 #include <utility>
 #include <vector>

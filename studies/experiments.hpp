@@ -2,11 +2,9 @@
 /// Experiments that repeat those of the sources. docs/study.md gives the results.
 
 #include <cstdint>
-#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "scene/model/scene.hpp"
 #include "studies/results/result.hpp"

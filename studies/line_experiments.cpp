@@ -242,10 +242,9 @@ Result study_line_groups(const StudyRequest& request) {
     std::vector<std::vector<Cell>> rows;
     std::uint64_t whole = 0, before = ~std::uint64_t{0};
     for (std::uint32_t group = 1; group <= lines; group *= 8) {
-      LineStudyOptions options;
-      options.scan = kVisibleChanges;
-      options.coincidence_steps = coincidence_mm(input.scene) / input.scene.lattice.step_mm;
-      options.group = group;
+      LineStudyOptions options{.scan = kVisibleChanges,
+                               .coincidence_steps = coincidence_mm(input.scene) / input.scene.lattice.step_mm,
+                               .group = group};
       LineStudyResult found;
       const auto run = [&] {
         found = study_by_lines(input.scene, input.facets, input.lines, grid_of_lines(input.scene, lines), options);

@@ -37,8 +37,7 @@ struct SortKey {
   double (*of)(const std::vector<double>& depths);
 };
 constexpr SortKey kKeys[] = {
-    {"nearest point", "the key used; it errs",
-     [](const std::vector<double>& d) { return *std::min_element(d.begin(), d.end()); }},
+    {"nearest point", "the key used; it errs", [](const std::vector<double>& d) { return *std::ranges::min_element(d); }},
     {"mean of the corners", "other keys: costlier, fewer errors",
      [](const std::vector<double>& d) {
        double sum = 0;
@@ -46,7 +45,7 @@ constexpr SortKey kKeys[] = {
        return sum / static_cast<double>(d.size());
      }},
     {"farthest point", "other keys: costlier, fewer errors",
-     [](const std::vector<double>& d) { return *std::max_element(d.begin(), d.end()); }},
+     [](const std::vector<double>& d) { return *std::ranges::max_element(d); }},
     {"middle of the extent", "other keys: costlier, fewer errors",
      [](const std::vector<double>& d) {
        const auto [low, high] = std::minmax_element(d.begin(), d.end());

@@ -1,7 +1,6 @@
 #include "studies/run_experiments.hpp"
 
 #include <filesystem>
-#include <utility>
 
 #include "scene/readers/reader.hpp"
 

@@ -344,9 +344,8 @@ Result study_segment_clipping(const StudyRequest& request) {
   const double by_halving = 1e9 * clip_seconds(segments, true), by_codes = 1e9 * clip_seconds(segments, false);
   times.rows.push_back({"halving", "no crossing to compute: for hardware", by_halving, farthest});
   times.rows.push_back({"codes", "a costly crossing", by_codes, 0.0});
-  Result result;
-  result.tables = {std::move(table), std::move(times), clipped_by_contours(segments)};
-  result.finding = by_codes < by_halving ? Finding::in_part : Finding::holds;
+  Result result{.tables = {std::move(table), std::move(times), clipped_by_contours(segments)},
+                .finding = by_codes < by_halving ? Finding::in_part : Finding::holds};
   result.sentence =
       "The bounds of the thesis are reached, where it has them strict: a segment with one end inside takes up to k middles. A "
       "division costs less than ten halvings today, so codes are faster, and right but for a rounding, where rounded middles leave "

@@ -34,9 +34,7 @@ std::uint64_t program_operations(SpanMethodKind kind, std::vector<ScanSegment<do
 /// Least time of several studies, s. `windows` receives the number of windows studied.
 double method_seconds(const ProjectedScene& scene, const char* name, const MethodSettings& settings, int times,
                       std::uint64_t* windows = nullptr) {
-  VisibilityOptions options;
-  options.wanted = kStrokes;
-  options.settings = settings;
+  VisibilityOptions options{.settings = settings, .wanted = kStrokes};
   return least_seconds(times, [&] {
     const VisibilityResult found = find_method(name)->compute_visibility(scene, options);
     for (const auto& [count, n] : found.statistics.counts) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 
 #include "studies/experiments.hpp"
 #include "studies/measure.hpp"

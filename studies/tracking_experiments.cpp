@@ -20,10 +20,7 @@ constexpr ScanOptions kStudyAll{SpanMethodKind::stack, false, false, true};
 constexpr ScanOptions kStudySeen{SpanMethodKind::stack, true, true, true};
 
 LineStudyOptions study_options(const ScanInput& input, const ScanOptions& scan) {
-  LineStudyOptions options;
-  options.scan = scan;
-  options.coincidence_steps = coincidence_mm(input.scene) / input.scene.lattice.step_mm;
-  return options;
+  return {.scan = scan, .coincidence_steps = coincidence_mm(input.scene) / input.scene.lattice.step_mm};
 }
 
 double length_mm(const ScanInput& input, const SweepLine& line) {

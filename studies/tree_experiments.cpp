@@ -135,9 +135,8 @@ Result study_depth_increments(const StudyRequest& request) {
     std::snprintf(name, sizeof name, "perspective, near plane at %g m", near);
     bits.rows.push_back({name, "asked, not answered", kFar * (kFar - near) / (kSteps * near)});
   }
-  Result result;
-  result.tables = {std::move(table), std::move(bits)};
-  result.finding = sums_of_increments < 1.5 ? Finding::holds : Finding::no_longer;
+  Result result{.tables = {std::move(table), std::move(bits)},
+                .finding = sums_of_increments < 1.5 ? Finding::holds : Finding::no_longer};
   result.sentence =
       "One sum a pixel instead of two products, two sums and a quotient, and the roundings of a whole row stay far below a step of "
       "any buffer; method zbuffer fills that way.";

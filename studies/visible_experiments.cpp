@@ -110,9 +110,7 @@ Result study_visible_segments(const StudyRequest& request) {
                             1e3 * seconds});
     }
   }
-  Result result;
-  result.tables = {known_answers(), std::move(table)};
-  result.finding = is_same ? Finding::holds : Finding::no_longer;
+  Result result{.tables = {known_answers(), std::move(table)}, .finding = is_same ? Finding::holds : Finding::no_longer};
   result.sentence =
       "The order of all curves that the sweep has at each stop gives the visible pieces, and behind how many transparent curves "
       "each lies; arcs take the same sweep, with crossings at roots of squares in place of quotients.";

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/parallel.hpp"
 #include "studies/experiments.hpp"
@@ -294,9 +293,7 @@ Result study_windows(const StudyRequest&) {
        {"the triangle moved by (4, 2) mm", ColumnKind::count}}};
   std::uint64_t counts[4];
   for (int k = 0; k < 4; ++k) {
-    Variant v;
-    v.window = kRows[k].window;
-    v.split = kRows[k].split;
+    Variant v{.window = kRows[k].window, .split = kRows[k].split};
     std::uint64_t windows[2];
     for (int moved = 0; moved < 2; ++moved) {
       Scene scene = square_before_triangle(4 * moved, 2 * moved);

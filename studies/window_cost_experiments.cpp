@@ -338,9 +338,8 @@ Result study_window_costs(const StudyRequest& request) {
                   {"at most", ColumnKind::count}}};
   const bool apart = add_apart_scenes(request, resolution, sides, depths);
   const bool crossed = add_crossing_scenes(request, resolution, crossing);
-  Result result;
-  result.tables = {std::move(sides), std::move(depths), std::move(crossing)};
-  result.finding = apart && crossed ? Finding::holds : Finding::no_longer;
+  Result result{.tables = {std::move(sides), std::move(depths), std::move(crossing)},
+                .finding = apart && crossed ? Finding::holds : Finding::no_longer};
   result.sentence =
       "Every window keeps the bounds, and most stay far below: the comparison of intersectors ends with the first that is in front. "
       "Where nothing penetrates one depth of each surrounder is enough, and two for an intersector. With two covers that "

@@ -7,7 +7,6 @@
 
 #include "scene/model/scene_parts.hpp"
 #include "studies/experiments.hpp"
-#include "studies/measure.hpp"
 #include "studies/scenes/generators.hpp"
 #include "visibility/newell/priority_list.hpp"
 

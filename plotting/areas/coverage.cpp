@@ -100,8 +100,7 @@ const std::vector<CoveredPart>& Coverage::find(const StepSegment& stroke, const 
   const bool nothing = area && beside_.empty();
   if (!nothing) add_chain(stroke, clip, kNone);
   parts_.push_back(state());
-  std::sort(changes_.begin(), changes_.end(),
-            [](const WindingChange& p, const WindingChange& q) { return compare(p.at, q.at) < 0; });
+  std::ranges::sort(changes_, [](const WindingChange& p, const WindingChange& q) { return compare(p.at, q.at) < 0; });
   for (std::size_t k = 0; k < changes_.size();) {
     const Along at = changes_[k].at;
     do {

@@ -294,9 +294,7 @@ unsigned PenTable::pen_of(std::string_view layer, std::string_view material, uns
 
 Pen PenTable::pen(unsigned number) const {
   if (const auto found = pens.find(number); found != pens.end()) return found->second;
-  Pen pen;
-  pen.number = number;
-  return pen;
+  return {.number = number};
 }
 
 void add_pen(PenTable& table, std::string_view text) {

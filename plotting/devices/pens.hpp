@@ -14,15 +14,15 @@ namespace ligne {
 /// A pen and its settings. The signs in quotes encode a setting in the name of a layer (layer_label()).
 struct Pen {
   unsigned number = 1;
-  std::string name;  ///< shown to the operator who inserts the pen; may be empty
+  std::string name{};  ///< shown to the operator who inserts the pen; may be empty
   std::array<double, 3> color{0, 0, 0};
-  std::optional<double> width_mm;    ///< nothing: the width of the lines
-  bool skip = false;                 ///< "%": the plotter software omits the layer
-  bool pause = false;                ///< "!": the plotter software waits before the layer
-  std::optional<unsigned> speed;     ///< "+S": pen speed, percent
-  std::optional<unsigned> height;    ///< "+H": pen height, percent
-  std::optional<unsigned> delay_ms;  ///< "+D": delay
-  std::string label;                 ///< label of its layer, if given; empty: layer_label() makes one
+  std::optional<double> width_mm{};    ///< nothing: the width of the lines
+  bool skip = false;                   ///< "%": the plotter software omits the layer
+  bool pause = false;                  ///< "!": the plotter software waits before the layer
+  std::optional<unsigned> speed{};     ///< "+S": pen speed, percent
+  std::optional<unsigned> height{};    ///< "+H": pen height, percent
+  std::optional<unsigned> delay_ms{};  ///< "+D": delay
+  std::string label{};                 ///< label of its layer, if given; empty: layer_label() makes one
 };
 
 /// Largest values that are accepted: pen number, degree of darkness, percentage, delay.

@@ -172,9 +172,8 @@ Line Hatcher::inside(std::int64_t rank, std::int32_t line) const {
 
 bool Hatcher::at_rim(std::int32_t line, double u) const {
   const Line& free = free_[index(line)];
-  return std::any_of(free.begin(), free.end(), [u](const Interval& run) {
-    return std::abs(run.from - u) <= kTouchMm || std::abs(run.to - u) <= kTouchMm;
-  });
+  return std::ranges::any_of(
+      free, [u](const Interval& run) { return std::abs(run.from - u) <= kTouchMm || std::abs(run.to - u) <= kTouchMm; });
 }
 
 /// The way of a tie between the ends of two rows, along the rim. False if the rim leads elsewhere, or runs too flat.
@@ -224,8 +223,7 @@ bool Hatcher::tie(Open& stroke, const Interval& span, std::int32_t line, std::ve
         candidates.push_back({length, &*before, from_left});
     }
   }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.length < b.length; });
+  std::ranges::stable_sort(candidates, [](const Candidate& a, const Candidate& b) { return a.length < b.length; });
   std::vector<Point2> way;
   for (const Candidate& c : candidates) {
     const double u = c.from_left ? span.from : span.to;
@@ -277,7 +275,7 @@ void Hatcher::run(std::uint32_t layer, Polylines& out) {
       }
     }
     open.swap(next);
-    std::stable_sort(open.begin(), open.end(), [](const Open& a, const Open& b) { return a.u() < b.u(); });
+    std::ranges::stable_sort(open, [](const Open& a, const Open& b) { return a.u() < b.u(); });
   }
   for (const Open& stroke : open) finish(stroke, out);
 }
@@ -335,7 +333,7 @@ void add_runs(std::span<const std::vector<Point2>> contours, std::uint32_t surfa
       }
     }
   }
-  std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
+  std::ranges::sort(crossings, [](const Crossing& a, const Crossing& b) {
     return std::tie(a.line, a.u, a.turn) < std::tie(b.line, b.u, b.turn);
   });
   int winding = 0;
@@ -349,7 +347,7 @@ void add_runs(std::span<const std::vector<Point2>> contours, std::uint32_t surfa
 
 void hatch_runs(const HatchFrame& frame, double line_mm, std::span<const SurfaceRun> runs,
                 std::span<const SurfaceHatch> surfaces, std::span<const double> pen_mm, std::span<Polylines> layers) {
-  if (!(line_mm > 0) || std::any_of(pen_mm.begin(), pen_mm.end(), [](double pen) { return !(pen > 0); })) {
+  if (!(line_mm > 0) || std::ranges::any_of(pen_mm, [](double pen) { return !(pen > 0); })) {
     throw std::invalid_argument("spacing and pen width of a hatch are above zero");
   }
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<GroupRun>> groups;
@@ -360,11 +358,11 @@ void hatch_runs(const HatchFrame& frame, double line_mm, std::span<const Surface
     if (how.every > 0) groups[{how.group, how.every}].push_back({run.line, run.from, run.to, how.rows, how.layer});
   }
   for (auto& [group, runs] : groups) {
-    std::sort(runs.begin(), runs.end(), [](const GroupRun& a, const GroupRun& b) {
+    std::ranges::sort(runs, [](const GroupRun& a, const GroupRun& b) {
       return std::tie(a.line, a.from, a.to) < std::tie(b.line, b.from, b.to);
     });
     for (std::uint32_t layer = 0; layer < layers.size(); ++layer) {
-      if (std::none_of(runs.begin(), runs.end(), [&](const GroupRun& run) { return run.layer == layer; })) continue;
+      if (std::ranges::none_of(runs, [&](const GroupRun& run) { return run.layer == layer; })) continue;
       Hatcher hatcher(frame, line_mm, group.second, pen_mm[layer], runs);
       if (rims.contains(group)) hatcher.rim(layers[layer]);
       hatcher.run(layer, layers[layer]);

@@ -91,10 +91,9 @@ StrokeModel segments_of(const LatticeLines& lines, double tolerance_mm, double m
       if (to + 1 < count && !shared[first + to]) continue;
       const auto kept = simplified(std::span(line_mm).subspan(from, to - from + 1), tolerance_mm, most_lost);
       for (std::size_t k = 1; k < kept.size(); ++k) {
-        Stroke stroke;
-        stroke.from = lines.points[first + from + kept[k - 1]];
-        stroke.to = lines.points[first + from + kept[k]];
-        stroke.source = static_cast<std::uint32_t>(model.strokes.size());
+        Stroke stroke{.from = lines.points[first + from + kept[k - 1]],
+                      .to = lines.points[first + from + kept[k]],
+                      .source = static_cast<std::uint32_t>(model.strokes.size())};
         if (stroke.from != stroke.to) model.strokes.push_back(stroke);
       }
       from = to;

@@ -40,9 +40,7 @@ class DrawingReader {
     const json version = root.value("version", json());
     if (version != 1 && version != 2) fail("the version of the ligne-drawing is neither 1 nor 2");
     if (!has_strokes_) fail("there are no strokes in the drawing");
-    ReadDrawing result;
-    result.page = page_of(root);
-    result.regions = std::move(regions_);
+    ReadDrawing result{.regions = std::move(regions_), .page = page_of(root)};
     if (with_order_) result.order = order_of(root, split.order);
     for (Layer& layer : layers_) {
       if (layer.lines.size() > 0) result.drawing.layers.push_back(std::move(layer));
@@ -112,11 +110,9 @@ class DrawingReader {
   /// Keeps the ends of the stroke that was added last, to be put on the lattice.
   void keep_ends(const Polylines& lines, bool visible, std::uint64_t level) {
     if (lines[lines.size() - 1].size() != 2) fail_stroke("is not a straight line");
-    Stroke s;
-    s.line_class = last_class_;
-    s.visible = visible;
-    s.level = static_cast<std::uint8_t>(std::min<std::uint64_t>(level, 255));
-    painted_.strokes.strokes.push_back(s);
+    painted_.strokes.strokes.push_back({.line_class = last_class_,
+                                        .visible = visible,
+                                        .level = static_cast<std::uint8_t>(std::min<std::uint64_t>(level, 255))});
     ends_.push_back({lines.points[lines.points.size() - 2], lines.points.back()});
   }
 

@@ -294,11 +294,10 @@ void SvgReader::hatch_fill(const Polylines& contours, const Context& context, co
   std::vector<std::vector<Point2>> area;
   for (std::size_t i = 0; i < contours.size(); ++i) area.emplace_back(contours[i].begin(), contours[i].end());
   const FillHatch how = fills_.hatches.of(context.layer, color);
-  HatchOptions options;
-  options.pen_width_mm = fills_.pen_width_mm;
-  options.spacing_mm = how.spacing_mm.value_or(kFillSpacing * fills_.pen_width_mm);
-  options.angle_degrees = how.angle_degrees;
-  options.cross = how.cross;
+  HatchOptions options{.spacing_mm = how.spacing_mm.value_or(kFillSpacing * fills_.pen_width_mm),
+                       .angle_degrees = how.angle_degrees,
+                       .pen_width_mm = fills_.pen_width_mm,
+                       .cross = how.cross};
   if (how.tone) {
     const double dark = (1 - brightness(color)) * style.fill_opacity * context.opacity;
     if (dark < kLightest) return;

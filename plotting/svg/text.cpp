@@ -52,9 +52,9 @@ std::shared_ptr<TextPath> text_path(const pugi::xml_node& element, const Attribu
 }
 
 struct Character {
-  std::string utf8;
-  Style style;
-  std::optional<double> x, y, rotate;
+  std::string utf8{};
+  Style style{};
+  std::optional<double> x{}, y{}, rotate{};
   double dx = 0, dy = 0;
   double advance = 0, stretch = 1;         ///< of its letter
   double inset = 0;                        ///< of a narrow letter, where all have one width
@@ -134,10 +134,7 @@ void TextReader::add(std::string_view text, const Style& style) {
     const bool blank = is_blank(text[i]);
     const bool dropped = blank && !style.keep_blanks && (characters.empty() || characters.back().blank());
     if (!dropped) {
-      Character character;
-      character.utf8 = blank ? " " : std::string(text.substr(i, n));
-      character.style = style;
-      character.paragraph = paragraph_;
+      Character character{.utf8 = blank ? " " : std::string(text.substr(i, n)), .style = style, .paragraph = paragraph_};
       // Letters of single strokes are a quarter wider than those of most typefaces, for which a text leaves room.
       const double height = style.font_size * kCapitalsOfSize;
       const double drawn = text_extent(character.utf8, height, TextStyle::stroke).width;
@@ -257,9 +254,7 @@ void SvgReader::draw_letter(const pugi::xml_node& node, const std::string& lette
                             const Context& context) {
   const std::optional<Paint>& paint = style.fill && style.fill_seen ? style.fill : style.stroke;
   if (!has_paint(paint, node) || !style.visible || !(style.font_size > 0)) return;
-  TextItem item;
-  item.text = letter;
-  item.height_mm = style.font_size * kCapitalsOfSize;
+  TextItem item{.text = letter, .height_mm = style.font_size * kCapitalsOfSize};
   Polylines lines;
   result_.boxes += append_stroke_text(item, lines);
   for (Point2& p : lines.points) {

@@ -22,11 +22,11 @@ namespace ligne {
 
 /// Page and line styles of a written drawing.
 struct PlotOptions {
-  Page page;
+  Page page{};
   double pen_width_mm = 0.35;
   LineWidths widths_mm{};                                ///< line widths by layer name; they override all other widths
   bool hidden_solid = false;                             ///< hidden lines are not dashed
-  std::string title;                                     ///< document title, may be empty
+  std::string title{};                                   ///< document title, may be empty
   double dpi = 150;                                      ///< resolution of a PNG
   bool curves = false;                                   ///< fit arcs to polylines that approximate them
   std::optional<double> curve_rise_mm{};                 ///< CurveLimits::most_rise_mm; nothing: the pen width
@@ -102,7 +102,7 @@ struct RegionAppearance {
 /// An analytic surface recognised behind the mesh, in model units: FoundSurface in scene/patches/found_surfaces.hpp,
 /// which explains the members. Members that do not apply to its kind have no value, and are not written.
 struct DocumentSurface {
-  std::string_view kind;  ///< "cylinder", "cone", "sphere", "torus", "extruded" or "revolved"
+  std::string_view kind{};  ///< "cylinder", "cone", "sphere", "torus", "extruded" or "revolved"
   Point3 at{0, 0, 0};
   std::optional<Point3> axis{};
   std::optional<double> radius{}, slope{}, tube{};
@@ -149,10 +149,10 @@ struct DrawingDocument {
   std::vector<std::uint32_t> surface_of_face{};  ///< per face: index into `surfaces`, 0xffffffff for none; or empty
   glm::dmat4 model_to_page{1};
   bool perspective = false;
-  Rect window;               ///< page mm; lines outside it were clipped away
+  Rect window{};             ///< page mm; lines outside it were clipped away
   double near_distance = 0;  ///< perspective: distance of the near plane along the line of sight, model units
-  std::string method;
-  Statistics statistics;
+  std::string method{};
+  Statistics statistics{};
 };
 /// Writes the document as JSON.
 std::string write_json(const DrawingDocument& document, const PlotOptions& options);

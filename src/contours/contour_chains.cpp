@@ -225,9 +225,7 @@ class ContourTracer {
   const Point3& vertex(std::uint32_t corner) const { return scene_.vertices[vertex_at(corner)]; }
 
   ContourNode node(std::uint32_t side, double sag) const {
-    ContourNode out;
-    out.side = side;
-    out.edge = {vertex_at(side), vertex_at(next_corner(side))};
+    ContourNode out{.side = side, .edge = {vertex_at(side), vertex_at(next_corner(side))}};
     if (!patch_.looks_at_viewer(side)) std::swap(out.edge[0], out.edge[1]);
     // One end is first from both triangles, so that both get equal points.
     std::uint32_t a = side, b = next_corner(side);

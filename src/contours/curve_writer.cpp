@@ -50,9 +50,7 @@ void CurveWriter::add(LineClass line_class, std::size_t segments, std::uint32_t 
 
 void CurveWriter::add_stroke(LineClass line_class, const CurvePoint& from, const CurvePoint& to, int state,
                              const Segment& segment) {
-  Stroke s;
-  s.from = model_.lattice.snap(from.mm);
-  s.to = model_.lattice.snap(to.mm);
+  Stroke s{.from = model_.lattice.snap(from.mm), .to = model_.lattice.snap(to.mm)};
   if (s.from == s.to || !(from.at < to.at)) return;
   s.t_from = from.at - segment.number;
   s.t_to = std::min(to.at - segment.number, 1.0);

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/no_index.hpp"
 #include "drawing/transparent_layers.hpp"
 #include "geometry/point.hpp"
 
@@ -13,9 +12,9 @@ namespace ligne {
 
 /// A visible part of a face on the page.
 struct Region {
-  std::uint32_t face = 0;                     ///< face of the scene
-  std::vector<std::vector<Point2>> contours;  ///< page mm; the first is outer, the others holes
-  std::uint32_t level = 0;                    ///< number of transparent faces in front of it
+  std::uint32_t face = 0;                       ///< face of the scene
+  std::vector<std::vector<Point2>> contours{};  ///< page mm; the first is outer, the others holes
+  std::uint32_t level = 0;                      ///< number of transparent faces in front of it
   /// Bit i: light i reaches the region. All bits are set if no light was requested.
   std::uint32_t lights = 0xffffffffu;
   /// Per light: the fraction, 0 to 1, that transparent faces between the light and the region let through. Empty: 1 for
@@ -63,8 +62,8 @@ struct Span {
 
 /// Disjoint spans, sorted by line from the top and on each line from left to right.
 struct SpanModel {
-  SpanLines lines;
-  std::vector<Span> spans;
+  SpanLines lines{};
+  std::vector<Span> spans{};
   TransparentLayers layers{};  ///< empty unless VisibilityOptions::with_transparent_faces
 };
 

@@ -38,11 +38,9 @@ double TextBox::reach(Point2 direction) const {
 TextBox text_box(const TextItem& item, const TextExtent& extent) {
   const auto [u, v] = frame(item.rotation_degrees);
   const double along = item.across == TextAcross::left ? 0.5 : item.across == TextAcross::center ? 0 : -0.5;
-  TextBox box;
-  box.center = base_point(item) + u * (along * extent.width) + v * ((extent.ascent - extent.descent) / 2);
-  box.half = {extent.width / 2, (extent.ascent + extent.descent) / 2};
-  box.rotation_degrees = item.rotation_degrees;
-  return box;
+  return {.center = base_point(item) + u * (along * extent.width) + v * ((extent.ascent - extent.descent) / 2),
+          .half = {extent.width / 2, (extent.ascent + extent.descent) / 2},
+          .rotation_degrees = item.rotation_degrees};
 }
 
 bool overlap(const TextBox& a, const TextBox& b, double gap_mm) {

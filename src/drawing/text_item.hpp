@@ -14,7 +14,7 @@ enum class TextUp { base, middle, top };
 /// One line of text. The anchors `across` and `up` select the point of the text that lies at `at`. Middle and top refer
 /// to capital letters.
 struct TextItem {
-  std::string text;        ///< UTF-8; malformed bytes are shown as U+FFFD, control characters as blanks
+  std::string text{};      ///< UTF-8; malformed bytes are shown as U+FFFD, control characters as blanks
   Point2 at{0, 0};         ///< page mm
   double height_mm = 2.5;  ///< height of capital letters
   TextAcross across = TextAcross::left;

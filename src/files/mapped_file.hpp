@@ -6,8 +6,6 @@
 #include <optional>
 #include <span>
 
-#include "files/input_error.hpp"
-
 namespace ligne {
 
 /// Pages that were read stay in memory only while there is room, and are released by forget(). The file must not become

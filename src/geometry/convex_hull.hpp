@@ -15,8 +15,7 @@ namespace ligne {
 /// lie. turn(a, b, c) is positive if a -> b -> c turns from +x towards +y. Monotone chains [Andrew1979], O(n log n).
 template <class Point, class Turn>
 std::vector<Point> convex_hull(std::vector<Point> points, const Turn& turn) {
-  std::sort(points.begin(), points.end(),
-            [](const Point& a, const Point& b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); });
+  std::ranges::sort(points, [](const Point& a, const Point& b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); });
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   std::vector<Point> hull;
@@ -27,7 +26,7 @@ std::vector<Point> convex_hull(std::vector<Point> points, const Turn& turn) {
       hull.push_back(p);
     }
     hull.pop_back();  // the other half begins with this point
-    std::reverse(points.begin(), points.end());
+    std::ranges::reverse(points);
   }
   return hull;
 }

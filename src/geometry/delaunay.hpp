@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "base/no_index.hpp"
 #include "geometry/lattice.hpp"
 
 namespace ligne {

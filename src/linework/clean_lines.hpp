@@ -26,13 +26,13 @@ struct CleanOptions {
   bool has_outlines = true;  ///< without outlines nothing shows that a line passes behind a face
   /// Whether all feature classes are drawn. If a class is left out, lines that would meet its lines are isolated.
   bool has_all_features = true;
-  BodyOf scan_of;                   ///< numbers the scans; empty: there are none
-  BodyOf decimated_of;              ///< numbers the decimated parts among them, alike; empty: there are none
-  BodyOf form_of;                   ///< numbers the free forms by strokes on edges of their meshes; empty: there are none
-  BodyOf object_of;                 ///< numbers the objects
-  IsOutline is_outline;             ///< knows outlines that are not drawn; empty: none is known
-  MakeSource make_source;           ///< makes the sources of strokes that join lines
-  std::vector<double> facet_parts;  ///< per free form: size of its facets, as a part of its extent
+  BodyOf scan_of{};                   ///< numbers the scans; empty: there are none
+  BodyOf decimated_of{};              ///< numbers the decimated parts among them, alike; empty: there are none
+  BodyOf form_of{};                   ///< numbers the free forms by strokes on edges of their meshes; empty: there are none
+  BodyOf object_of{};                 ///< numbers the objects
+  IsOutline is_outline{};             ///< knows outlines that are not drawn; empty: none is known
+  MakeSource make_source{};           ///< makes the sources of strokes that join lines
+  std::vector<double> facet_parts{};  ///< per free form: size of its facets, as a part of its extent
 };
 
 /// The changes of one rule.

@@ -51,7 +51,7 @@ struct LineClasses {
 /// A straight piece of one source edge that is visible as a whole or hidden as a whole.
 struct Stroke {
   double t_from = 0, t_to = 1;  ///< parameters on the source edge in model space, from 0 to 1; t_from < t_to
-  LatticePoint from, to;        ///< its ends on the page lattice
+  LatticePoint from{}, to{};    ///< its ends on the page lattice
   float z_from = 0, z_to = 0;   ///< depths at the two ends; smaller is nearer
   float w_from = 1,
         w_to = 1;            ///< homogeneous weights at the two ends: distance along the line of sight, up to a common
@@ -94,11 +94,11 @@ struct HiddenPart {
 /// All strokes that one run of a method returns. Sources below `edge_count` are the sources of ProjectedScene: edges of
 /// the topology and added lines. Source `edge_count` + i is intersections[i].
 struct StrokeModel {
-  Lattice lattice;
-  std::vector<Stroke> strokes;
+  Lattice lattice{};
+  std::vector<Stroke> strokes{};
   std::uint32_t edge_count = 0;
-  std::vector<SourceEdge> intersections;   ///< intersections of faces; later phases append borders of shadows and curves
-  std::vector<HiddenPart> hidden_parts{};  ///< by source and parameter; empty unless faces in front were counted
+  std::vector<SourceEdge> intersections{};  ///< intersections of faces; later phases append borders of shadows and curves
+  std::vector<HiddenPart> hidden_parts{};   ///< by source and parameter; empty unless faces in front were counted
 };
 
 }  // namespace ligne

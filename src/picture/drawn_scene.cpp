@@ -67,9 +67,7 @@ void add_piece_looks(const PreparedScene& prepared, const PaintOrder& order, Dra
 /// Sets the members that each kind of surface has, see docs/drawing-format.md.
 DocumentSurface document_surface(const FoundSurface& found) {
   const PatchSurface& surface = found.surface;
-  DocumentSurface to;
-  to.kind = kSurfaceKindNames[static_cast<std::size_t>(surface.kind)];
-  to.at = surface.at;
+  DocumentSurface to{.kind = kSurfaceKindNames[static_cast<std::size_t>(surface.kind)], .at = surface.at};
   if (found.has_axis()) to.axis = surface.axis;
   if (found.has_radius()) to.radius = surface.radius;
   if (surface.kind == SurfaceKind::cone) to.slope = surface.slope;

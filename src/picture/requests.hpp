@@ -57,12 +57,12 @@ struct PageSize {
 
 /// The page, and the size of the picture on it.
 struct PageRequest {
-  PageSize size;
+  PageSize size{};
   bool landscape = false, portrait = false;  ///< neither: the orientation in which the picture is larger
   double margin_mm = 10;
   double pen_width_mm = 0.35;
   LineWidths widths_mm{};           ///< line widths by layer name
-  std::optional<double> scale;      ///< page length divided by true length; nothing: the picture fits the page
+  std::optional<double> scale{};    ///< page length divided by true length; nothing: the picture fits the page
   std::optional<double> unit_mm{};  ///< true length of one model unit in mm; nothing: Scene::unit_mm
   double inset_part = 0;            ///< part of the drawable height that is kept free below the picture
   std::optional<Rect> extent{};     ///< area to fit to the page, see projected_extent(); nothing: that of the scene

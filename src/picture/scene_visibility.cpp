@@ -66,20 +66,18 @@ bool overlap_if_visible(const PictureRequest& request, const Scene& scene) {
 
 VisibilityOptions study_options(const PreparedScene& prepared, std::optional<SpanLines> span_lines) {
   const PictureRequest& request = prepared.request;
-  VisibilityOptions options;
-  options.hidden_strokes = request.lines.hidden != HiddenLines::none;
-  options.span_lines = span_lines;
-  options.settings = request.lines.settings;
-  options.wanted = wanted_products(request, prepared.method);
-  options.with_transparent_faces = shows_faces_of_spans(request, prepared.method);
-  options.progress = request.progress;
-  options.compiled = request.compiled.get();
-  options.keep = request.keep;
-  options.earlier = request.earlier.get();
-  options.blank = request.blank.get();
-  options.overlap_if_visible = overlap_if_visible(request, prepared.scene);
-  options.faces = prepared.faces.get();
-  return options;
+  return {.hidden_strokes = request.lines.hidden != HiddenLines::none,
+          .progress = request.progress,
+          .span_lines = span_lines,
+          .with_transparent_faces = shows_faces_of_spans(request, prepared.method),
+          .settings = request.lines.settings,
+          .wanted = wanted_products(request, prepared.method),
+          .compiled = request.compiled.get(),
+          .keep = request.keep,
+          .earlier = request.earlier.get(),
+          .faces = prepared.faces.get(),
+          .blank = request.blank.get(),
+          .overlap_if_visible = overlap_if_visible(request, prepared.scene)};
 }
 
 /// Warns of the parts of the scene that the method can not handle, or does not draw.

@@ -170,9 +170,7 @@ void draw_by(const ComparedMethod& compared, const Scene& scene, const Topology&
 
 MethodOutcome outcome_of(const ComparedMethod& compared, const Scene& scene, const Topology& topology,
                          const PictureRequest& picture, double limit_seconds, Page& page) {
-  MethodOutcome outcome;
-  outcome.method = compared.method;
-  outcome.thesis_words = thesis_words(*compared.method, scene);
+  MethodOutcome outcome{.method = compared.method, .thesis_words = thesis_words(*compared.method, scene)};
   const PeakMemory memory;
   try {
     const TimeLimit limit(limit_seconds);

@@ -64,11 +64,11 @@ inline constexpr double kMostLimitSeconds = 1e6;
 /// The result of a method.
 struct MethodOutcome {
   const Method* method = nullptr;
-  std::string failure;                    ///< reason why there is no drawing; empty if there is one
-  std::string unsupported_reason;         ///< why its drawing may be wrong, see VisibilityResult::unsupported_reason
+  std::string failure{};                  ///< reason why there is no drawing; empty if there is one
+  std::string unsupported_reason{};       ///< why its drawing may be wrong, see VisibilityResult::unsupported_reason
   std::optional<double> resolution_mm{};  ///< largest error of a line, if the method or its options limit the accuracy
-  Statistics study;                       ///< its own counts, and the times of its phases
-  StageTimes stages;                      ///< of the drawing
+  Statistics study{};                     ///< its own counts, and the times of its phases
+  StageTimes stages{};                    ///< of the drawing
   OperationCounts operations{};
   std::optional<double> peak_bytes{};           ///< memory in addition to that of the scene (memory.hpp)
   std::optional<std::uint64_t> thesis_words{};  ///< words of memory by the formula of [Boulle1980] 2.6
@@ -96,8 +96,8 @@ struct MethodComparison {
 };
 
 struct CompareRequest {
-  PictureRequest picture;  ///< its method is ignored
-  std::vector<ComparedMethod> methods;
+  PictureRequest picture{};  ///< its method is ignored
+  std::vector<ComparedMethod> methods{};
   double limit_seconds = 60;  ///< for each method; a method that takes longer is stopped
   std::function<void(double)> progress{};
 };

@@ -146,11 +146,10 @@ std::string color_code_of(const Point3& color) {
 }
 
 SceneFacts scene_facts(const Scene& scene, const Topology& topology) {
-  SceneFacts facts;
-  facts.vertices = scene.vertices.size();
-  facts.faces = scene.faces.size();
-  facts.triangles = topology.triangles.size();
-  facts.edges = topology.edges.size();
+  SceneFacts facts{.vertices = scene.vertices.size(),
+                   .faces = scene.faces.size(),
+                   .triangles = topology.triangles.size(),
+                   .edges = topology.edges.size()};
   if (!scene.faces.all_triangles()) {
     for (std::size_t f = 0; f < scene.faces.size(); ++f) facts.faces_with_holes += scene.faces.contour_count(f) > 1;
   }

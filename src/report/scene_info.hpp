@@ -49,8 +49,8 @@ struct SceneFacts {
   std::size_t vertices = 0, faces = 0, faces_with_holes = 0, triangles = 0, edges = 0;
   std::array<Point3, 2> bounds{};  ///< least and greatest corner; both zero if there is no vertex
   double precision = 0;            ///< largest precision of an object
-  std::vector<ObjectFacts> objects;
-  std::vector<MaterialFacts> materials;
+  std::vector<ObjectFacts> objects{};
+  std::vector<MaterialFacts> materials{};
 
   /// The sum of a count over all objects.
   std::size_t sum(std::size_t ObjectFacts::*member) const {

@@ -108,9 +108,8 @@ SurfaceFacts surface_facts(const FoundSurfaces& found) {
     count(facts, one);
     if (surface.has_radius()) all.push_back(one);
   }
-  std::stable_sort(all.begin(), all.end(), [](const Sized& l, const Sized& r) {
-    return std::tuple(l.group(), l.size) < std::tuple(r.group(), r.size);
-  });
+  std::ranges::stable_sort(
+      all, [](const Sized& l, const Sized& r) { return std::tuple(l.group(), l.size) < std::tuple(r.group(), r.size); });
   for (std::size_t begin = 0, i = 1; i <= all.size(); ++i) {
     if (i < all.size() && all[i].group() == all[begin].group() &&
         all[i].size - all[begin].size <= all[i].error + all[begin].error) {
@@ -119,8 +118,7 @@ SurfaceFacts surface_facts(const FoundSurfaces& found) {
     add_group(facts.groups, group_of(all, begin, i));
     begin = i;
   }
-  std::stable_sort(facts.groups.begin(), facts.groups.end(),
-                   [](const SurfaceGroup& l, const SurfaceGroup& r) { return l.count > r.count; });
+  std::ranges::stable_sort(facts.groups, [](const SurfaceGroup& l, const SurfaceGroup& r) { return l.count > r.count; });
   return facts;
 }
 

@@ -180,12 +180,11 @@ std::vector<std::uint8_t> transparent_faces(const Scene& scene) {
 
 ProjectedScene select_candidates(const Scene& scene, const Topology& topology, const View& view,
                                  const EdgeSelection& selection) {
-  ProjectedScene out;
-  out.model = &scene;
-  out.view = view;
-  out.lattice = page_lattice(view);
-  out.source_count = static_cast<std::uint32_t>(topology.edges.size());
-  out.with_intersections = selection.classes.has(LineClass::intersection);
+  ProjectedScene out{.model = &scene,
+                     .lattice = page_lattice(view),
+                     .view = view,
+                     .source_count = static_cast<std::uint32_t>(topology.edges.size()),
+                     .with_intersections = selection.classes.has(LineClass::intersection)};
   const double largest = largest_coordinate(scene);
   out.input_error_mm = input_error_mm(scene, view, largest);
   out.face_is_transparent = transparent_faces(scene);

@@ -50,25 +50,25 @@ struct EdgeSelection {
 struct ProjectedScene {
   /// The scene itself, for methods that work in model space. It must outlive the method's run.
   const Scene* model = nullptr;
-  Lattice lattice;
-  View view;
-  std::vector<ProjectedVertex> vertices;
-  std::vector<Triangle> triangles;   ///< clipped to the volume of faces (clip.hpp); indices are into `vertices`
-  std::vector<ProjectedEdge> edges;  ///< candidates of the selected classes, clipped to the volume of lines (clip.hpp)
+  Lattice lattice{};
+  View view{};
+  std::vector<ProjectedVertex> vertices{};
+  std::vector<Triangle> triangles{};   ///< clipped to the volume of faces (clip.hpp); indices are into `vertices`
+  std::vector<ProjectedEdge> edges{};  ///< candidates of the selected classes, clipped to the volume of lines (clip.hpp)
   /// Per candidate: the parameters on its source edge between which it lies inside the view volume. Empty if no edge
   /// was clipped.
-  std::vector<std::array<double, 2>> edge_parts;
+  std::vector<std::array<double, 2>> edge_parts{};
   std::uint32_t source_count = 0;   ///< number of sources: edges of the topology plus added lines
   bool with_intersections = false;  ///< the selection includes LineClass::intersection
   /// Per face of the scene: 0 opaque; 1 transparent, counted by Stroke::level; kClearFace transparent and not counted.
   /// Empty if all faces are opaque. Methods without transparency treat every face as opaque.
-  std::vector<std::uint8_t> face_is_transparent;
+  std::vector<std::uint8_t> face_is_transparent{};
   /// Per face of the scene: 1 if it is seen edge on (edge_on.hpp). Its triangles hide nothing, even if rounding to the
   /// lattice gives them an area. Empty if there is no such face.
-  std::vector<std::uint8_t> face_is_edge_on;
+  std::vector<std::uint8_t> face_is_edge_on{};
   /// Per vertex: the lowest vertex with the same position and depth; coincident parts have separate vertices. Empty if
   /// no two vertices share a position. See coincident.hpp.
-  std::vector<std::uint32_t> first_at_place;
+  std::vector<std::uint32_t> first_at_place{};
   std::uint32_t place(std::uint32_t vertex) const {
     return vertex < first_at_place.size() ? first_at_place[vertex] : vertex;  // later vertices are ends of added lines
   }

@@ -178,9 +178,7 @@ View make_view(const Scene& scene, const Camera& camera, const Frame& frame, con
 }
 
 View make_view(Rect extent, const Camera& camera, const Frame& frame, const Rect& window, std::optional<double> scale) {
-  View view;
-  view.camera = camera;
-  view.window = window;
+  View view{.camera = camera, .window = window};
   if (extent.empty()) extent = {{0, 0}, {0, 0}};
   // A drawing without extent in one direction is scaled by the other one; a point is drawn at 1:1.
   double fit = 1e300;

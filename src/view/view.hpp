@@ -15,12 +15,12 @@ namespace ligne {
 /// A request for a camera.
 struct CameraRequest {
   std::string_view named_view = "iso";  ///< used when neither direction nor eye is given
-  std::optional<Point3> direction;      ///< parallel projection along this direction, from the viewer into the scene
-  std::optional<Point3> eye;            ///< perspective from this point
-  std::optional<Point3> target;         ///< default: the centre of the scene's bounding box
+  std::optional<Point3> direction{};    ///< parallel projection along this direction, from the viewer into the scene
+  std::optional<Point3> eye{};          ///< perspective from this point
+  std::optional<Point3> target{};       ///< default: the centre of the scene's bounding box
   double fov_degrees = 35;              ///< perspective: vertical field of view
   std::optional<double> aspect{};       ///< perspective: width by height of the field of view; nothing: that of a sheet
-  std::optional<Point3> up;
+  std::optional<Point3> up{};
   Axis up_axis = Axis::z;
 };
 
@@ -61,11 +61,11 @@ struct Frame {
 /// parallel projection W is 1 and the depth is in page mm. In perspective the depth is D - D^2/w scaled to page mm,
 /// where w is the distance along the line of sight and D the target distance: it is 0 and has slope 1 at the target.
 struct View {
-  Camera camera;
+  Camera camera{};
   double scale = 1;     ///< page mm per model unit (in perspective: on the target plane)
   Point2 offset{0, 0};  ///< page mm: point at which the camera's axis meets the page
   glm::dmat4 model_to_page{1};
-  Rect window;               ///< page mm; everything outside is clipped away
+  Rect window{};             ///< page mm; everything outside is clipped away
   double near_distance = 0;  ///< perspective: w of the near plane, > 0
 };
 

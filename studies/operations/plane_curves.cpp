@@ -93,25 +93,17 @@ bool is_one_line(const Line& s, const Line& t) {
 
 PlaneCurve PlaneCurve::segment(LatticePoint a, LatticePoint b, bool is_transparent) {
   if (b.x < a.x) std::swap(a, b);
-  PlaneCurve curve;
-  curve.is_transparent = is_transparent;
-  curve.left = a.x;
-  curve.z_left = a.y;
-  curve.right = b.x;
-  curve.z_right = b.y;
-  return curve;
+  return {.is_transparent = is_transparent, .left = a.x, .right = b.x, .z_left = a.y, .z_right = b.y};
 }
 
 PlaneCurve PlaneCurve::arc(Kind half, LatticePoint centre, std::int32_t radius, LatticePoint range, bool is_transparent) {
-  PlaneCurve curve;
-  curve.kind = half;
-  curve.is_transparent = is_transparent;
-  curve.left = std::clamp(range.x, centre.x - radius, centre.x + radius);
-  curve.right = std::clamp(range.y, centre.x - radius, centre.x + radius);
-  curve.x_middle = centre.x;
-  curve.z_middle = centre.y;
-  curve.radius_square = radius * radius;
-  return curve;
+  return {.kind = half,
+          .is_transparent = is_transparent,
+          .left = std::clamp(range.x, centre.x - radius, centre.x + radius),
+          .right = std::clamp(range.y, centre.x - radius, centre.x + radius),
+          .x_middle = centre.x,
+          .z_middle = centre.y,
+          .radius_square = radius * radius};
 }
 
 double PlaneCurve::depth(double x) const {

@@ -4,7 +4,6 @@
 #include <compare>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <set>
 
 namespace ligne::studies {

@@ -5,7 +5,6 @@
 /// merge handles touching faces.
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 

@@ -4,7 +4,6 @@
 /// [Boulle1980] takes the sweep of [BentleyOttmann1979] for a method of visibility, since it has at each stop the order of
 /// all curves by depth, and says that it extends to arcs of circles of one curvature.
 
-#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -9,7 +9,6 @@
 #include "picture/parse/parse_options.hpp"
 #include "plotting/writers/writers.hpp"
 #include "scene/readers/format_readers.hpp"
-#include "studies/experiments.hpp"
 #include "studies/plates/plate_scenes.hpp"
 #include "studies/scenes/generators.hpp"
 #include "visibility/newell/priority_list.hpp"
@@ -381,10 +380,8 @@ std::vector<Plate> make_plates() {
 
 std::string plates_pdf(std::span<const Plate> plates) {
   PdfDocument document;
-  PlotOptions options;
-  options.page = {kPlateWidth, kPlateHeight, kMargin};
-  options.pen_width_mm = kPlatePen;
-  options.title = "Plates of Boulle 1980, made again";
+  PlotOptions options{
+      .page = {kPlateWidth, kPlateHeight, kMargin}, .pen_width_mm = kPlatePen, .title = "Plates of Boulle 1980, made again"};
   for (const Plate& plate : plates) document.add_page(plate.drawing, options);
   return document.finish();
 }

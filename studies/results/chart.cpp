@@ -84,8 +84,7 @@ class ChartDrawer {
     return {box_.min.x + box_.width() * part_x, box_.max.y - box_.height() * part_y};
   }
   void line(const std::string& layer, std::vector<Point2> points) {
-    auto found =
-        std::find_if(drawing_.layers.begin(), drawing_.layers.end(), [&](const Layer& l) { return l.name == layer; });
+    auto found = std::ranges::find_if(drawing_.layers, [&](const Layer& l) { return l.name == layer; });
     if (found == drawing_.layers.end()) {
       drawing_.layers.push_back({layer, {}});
       found = drawing_.layers.end() - 1;
@@ -120,7 +119,7 @@ class ChartDrawer {
     std::vector<std::size_t> order(chart.curves.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::erase_if(order, [&](std::size_t i) { return chart.curves[i].points.empty(); });
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
       return chart.curves[a].points.back().second > chart.curves[b].points.back().second;
     });
     Point2 legend{box_.max.x + 4, box_.min.y + 2};
@@ -172,9 +171,8 @@ std::string charts_svg(std::span<const Chart> charts) {
   drawing.layers.push_back({"axes", {}});
   ChartDrawer drawer(drawing);
   for (std::size_t i = 0; i < charts.size(); ++i) drawer.draw(charts[i], kHeight * static_cast<double>(i));
-  PlotOptions options;
-  options.page = {kWidth, kHeight * static_cast<double>(std::max<std::size_t>(charts.size(), 1)), 0};
-  options.style = style_of;
+  PlotOptions options{.page = {kWidth, kHeight * static_cast<double>(std::max<std::size_t>(charts.size(), 1)), 0},
+                      .style = style_of};
   return write_svg(drawing, options);
 }
 

@@ -36,10 +36,10 @@ enum class Finding : std::uint8_t { holds, in_part, no_longer };
 inline constexpr std::string_view kFindingNames[] = {"holds", "holds in part", "no longer holds"};
 
 struct Result {
-  std::vector<Table> tables;
-  std::vector<Chart> charts;
+  std::vector<Table> tables{};
+  std::vector<Chart> charts{};
   Finding finding = Finding::holds;
-  std::string sentence;  ///< statement of the finding
+  std::string sentence{};  ///< statement of the finding
 };
 
 /// Index of the column with that name, which must exist.

@@ -247,9 +247,7 @@ std::uint64_t Chance::next() {
 double Chance::uniform(double from, double to) { return from + (to - from) * static_cast<double>(next() >> 11) * 0x1p-53; }
 
 ProjectedScene on_sheet(const Scene& scene, std::string_view view, bool all_edges) {
-  CameraRequest request;
-  request.named_view = view;
-  request.up_axis = scene.up_axis;
+  CameraRequest request{.named_view = view, .up_axis = scene.up_axis};
   const View placed = make_view(scene, make_camera(request, scene), Frame{{{10, 10}, {287, 200}}}, Rect{{0, 0}, {297, 210}});
   return project(scene, build_topology(scene), placed, selection_of(all_edges));
 }

@@ -22,9 +22,7 @@ ScanInput make_scan_input(const NamedScene& named) {
   input.facets = make_facets(input.scene, coincidence_mm(input.scene) / step).facets;
   for (const ProjectedEdge& e : input.scene.edges)
     input.lines.push_back({input.scene.vertices[e.v0], input.scene.vertices[e.v1], e.face0, e.face1});
-  ExactOptions exact;
-  exact.coincidence_steps = coincidence_mm(input.scene) / step;
-  exact.penetrations = true;
+  ExactOptions exact{.coincidence_steps = coincidence_mm(input.scene) / step, .penetrations = true};
   ExactResult found = study_exactly(input.scene.vertices, input.facets, {}, exact);
   for (const Intersection& i : take_intersections(found, input.scene.vertices, input.facets, kLeastPartMm / step))
     input.lines.push_back({i.from, i.to, i.face0, i.face1});

@@ -22,9 +22,8 @@ void compare(const CompareOptions& options) {
   files.will_write("--output", options.output);
   files.will_write("--html", options.html);
   files.will_write("--stats-json", options.run.stats_json);
-  CompareRequest request;
-  request.methods = compared_methods(options.methods, named(options.method));
-  request.limit_seconds = options.limit_seconds;
+  CompareRequest request{.methods = compared_methods(options.methods, named(options.method)),
+                         .limit_seconds = options.limit_seconds};
   request.picture.view = options.view;
   request.picture.lines = options.lines;
   request.picture.page = options.page;

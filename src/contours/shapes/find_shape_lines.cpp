@@ -297,9 +297,7 @@ class Cutter {
       if (strong_[i % n]) strong += lengths_[i % n];
     }
     if (length < kShortestInPens * pen_mm_ || strong < kStrongInPens * pen_mm_) return;
-    ShapeLine out;
-    out.line_class = line.line_class;
-    out.closed = line.chain.closed && to - from == n;
+    ShapeLine out{.line_class = line.line_class, .closed = line.chain.closed && to - from == n};
     out.points.push_back(line.chain.points[from % n]);
     for (std::size_t i = from; i < to; ++i) {
       out.points.push_back(line.chain.points[i % n + 1]);

@@ -14,8 +14,8 @@ namespace ligne {
 /// A polyline on the mesh. Segment i runs from point i to point i + 1. A closed line repeats its first point.
 struct ShapeLine {
   LineClass line_class = LineClass::suggestive;
-  std::vector<Point3> points;        ///< model coordinates
-  std::vector<std::uint32_t> faces;  ///< per segment: the face of the scene on which it lies
+  std::vector<Point3> points{};        ///< model coordinates
+  std::vector<std::uint32_t> faces{};  ///< per segment: the face of the scene on which it lies
   bool closed = false;
 
   /// Number of segments.

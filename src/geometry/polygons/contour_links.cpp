@@ -22,7 +22,7 @@ using DirectedEdge = std::pair<Index, Index>;
 /// Removes pairs of pieces that run in opposite directions. Returns the rest ordered by first position.
 std::vector<DirectedEdge> cancel_opposite(std::vector<SweepEdge> pieces) {
   const auto ends = [](const SweepEdge& e) { return std::pair{e.low, e.high}; };
-  std::sort(pieces.begin(), pieces.end(), [&](const SweepEdge& a, const SweepEdge& b) { return ends(a) < ends(b); });
+  std::ranges::sort(pieces, [&](const SweepEdge& a, const SweepEdge& b) { return ends(a) < ends(b); });
   std::vector<DirectedEdge> rest;
   for (std::size_t i = 0; i < pieces.size();) {
     const auto [low, high] = ends(pieces[i]);
@@ -31,7 +31,7 @@ std::vector<DirectedEdge> cancel_opposite(std::vector<SweepEdge> pieces) {
     const DirectedEdge left_over = winding > 0 ? DirectedEdge{low, high} : DirectedEdge{high, low};
     rest.insert(rest.end(), static_cast<std::size_t>(std::abs(winding)), left_over);
   }
-  std::sort(rest.begin(), rest.end());
+  std::ranges::sort(rest);
   return rest;
 }
 
@@ -42,7 +42,7 @@ class LeavingEdges {
   LeavingEdges(const std::vector<Point2>& p, Index centre, std::span<const DirectedEdge> edges, std::size_t first)
       : p_(p), centre_(centre), order_(edges.size()), free_(edges.size() + 1) {
     for (std::size_t k = 0; k < edges.size(); ++k) order_[k] = {edges[k].second, static_cast<Index>(first + k)};
-    std::sort(order_.begin(), order_.end(), [&](const Leaving& a, const Leaving& b) {
+    std::ranges::sort(order_, [&](const Leaving& a, const Leaving& b) {
       const bool left_a = is_left(a.to), left_b = is_left(b.to);
       if (left_a != left_b) return left_a;
       const int turn = a.to == b.to ? 0 : orientation_sign(p_[centre_], p_[a.to], p_[b.to]);
@@ -93,8 +93,7 @@ class LeavingEdges {
 std::vector<Index> link_edges(const std::vector<Point2>& p, const std::vector<DirectedEdge>& edges) {
   std::vector<std::size_t> arriving(edges.size());
   std::iota(arriving.begin(), arriving.end(), std::size_t{0});
-  std::stable_sort(arriving.begin(), arriving.end(),
-                   [&](std::size_t a, std::size_t b) { return edges[a].second < edges[b].second; });
+  std::ranges::stable_sort(arriving, [&](std::size_t a, std::size_t b) { return edges[a].second < edges[b].second; });
   std::vector<Index> successor(edges.size());
   for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
     // Both lists are ordered by position, and have equally many edges at each.
@@ -116,7 +115,7 @@ void drop_repeated(std::vector<std::vector<Index>>& loops) {
   if (loops.size() < 2) return;
   std::vector<std::size_t> order(loops.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return loops[a] < loops[b]; });
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return loops[a] < loops[b]; });
   std::vector<bool> repeated(loops.size(), false);
   for (std::size_t k = 1; k < order.size(); ++k) repeated[order[k]] = loops[order[k]] == loops[order[k - 1]];
   std::size_t kept = 0;

@@ -50,10 +50,10 @@ class EarCutter {
     const auto outer_nodes = static_cast<Index>(nodes_.size());
     for (const auto& loop : links.holes) {
       const Index first = add_ring(loop);
-      holes.push_back(first + static_cast<Index>(std::min_element(loop.begin(), loop.end()) - loop.begin()));
+      holes.push_back(first + static_cast<Index>(std::ranges::min_element(loop) - loop.begin()));
     }
     // Positions are numbered from left to right, then from below.
-    std::sort(holes.begin(), holes.end(), [&](Index a, Index b) { return nodes_[a].position < nodes_[b].position; });
+    std::ranges::sort(holes, [&](Index a, Index b) { return nodes_[a].position < nodes_[b].position; });
     looks_left_ = std::max(kLooksAtLeast, kLooksOfCorner * nodes_.size());
     for (Index n = 0; n < outer_nodes; ++n) joined_.push_back(n);
     for (const Index hole : holes) join_hole(hole);
@@ -263,8 +263,7 @@ class EarCutter {
       nodes_[n].reflex = turn(n) <= 0;
       if (nodes_[n].reflex) reflex_.push_back(n);
     }
-    std::stable_sort(reflex_.begin(), reflex_.end(),
-                     [&](Index m, Index n) { return nodes_[m].position < nodes_[n].position; });
+    std::ranges::stable_sort(reflex_, [&](Index m, Index n) { return nodes_[m].position < nodes_[n].position; });
     Index b = start;
     std::size_t failures = 0, cuts_since_refresh = 0;
     Rule rule = Rule::strict;
@@ -311,10 +310,7 @@ class EarCutter {
 
 CutEars cut_ears(const std::vector<Point2>& positions, const LinkedContours& links) {
   EarCutter cutter(positions, links);
-  CutEars ears;
-  ears.triangles = cutter.cut();
-  ears.whole = cutter.whole();
-  return ears;
+  return {.triangles = cutter.cut(), .whole = cutter.whole()};
 }
 
 }  // namespace ligne

@@ -2,7 +2,6 @@
 /// Strokes that are compared with each other, their precedence, and the steps that resolve their overlaps.
 
 #include <cmath>
-#include <compare>
 #include <cstdint>
 #include <span>
 #include <tuple>

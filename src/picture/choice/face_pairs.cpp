@@ -234,9 +234,7 @@ class PairSearch {
 }  // namespace
 
 CellGrid grid_of_all(const ProjectedScene& scene, const std::vector<Facet>& facets, double coincidence_steps) {
-  CellGrid::Options options;
-  options.margin_steps = coincidence_steps + 1;
-  options.drop_hidden = false;
+  CellGrid::Options options{.margin_steps = coincidence_steps + 1, .drop_hidden = false};
   return {scene, facets, options};
 }
 

@@ -43,10 +43,9 @@ bool chooses_regions(const PictureRequest& request, const ProjectedScene& projec
 }
 
 ChoiceFacts facts_of(const PictureRequest& request, const ProjectedScene& projected) {
-  ChoiceFacts facts;
-  facts.regions = needs_regions(request);
-  facts.many_triangles = projected.triangles.size() >= kManyTriangles;
-  facts.has_transparency = renders_transparency(projected);
+  ChoiceFacts facts{.regions = needs_regions(request),
+                    .many_triangles = projected.triangles.size() >= kManyTriangles,
+                    .has_transparency = renders_transparency(projected)};
   facts.may_be_one_body = !facts.regions && facts.many_triangles && convexity::looks_like_one_convex_body(projected);
   return facts;
 }

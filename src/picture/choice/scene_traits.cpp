@@ -268,10 +268,7 @@ std::size_t count_convex_objects(const ProjectedScene& scene) {
   std::size_t convex = 0;
   std::vector<std::uint32_t> vertex_number(scene.vertices.size(), kNone);
   for (std::size_t begin = 0, end = 0; begin < by_set.size(); begin = end) {
-    ProjectedScene body;
-    body.lattice = scene.lattice;
-    body.view = scene.view;
-    body.input_error_mm = scene.input_error_mm;
+    ProjectedScene body{.lattice = scene.lattice, .view = scene.view, .input_error_mm = scene.input_error_mm};
     std::map<std::uint32_t, std::uint32_t> face_number;
     bool opaque = true;
     for (end = begin; end < by_set.size() && set_of(by_set[end]) == set_of(by_set[begin]); ++end) {

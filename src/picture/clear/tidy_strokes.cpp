@@ -66,11 +66,10 @@ CleanReport clean_scene_lines(StrokeModel& strokes, const PreparedScene& prepare
                               double least_mm) {
   const LineClasses drawn = prepared.request.lines.studied(), features = LineClasses::features();
   const SourceLines sources(strokes, prepared.projected);
-  CleanOptions options;
-  options.pen_mm = prepared.request.page.pen_width_mm;
-  options.least_mm = least_mm;
-  options.has_outlines = drawn.has(LineClass::outline);
-  options.has_all_features = (drawn.bits & features.bits) == features.bits;
+  CleanOptions options{.pen_mm = prepared.request.page.pen_width_mm,
+                       .least_mm = least_mm,
+                       .has_outlines = drawn.has(LineClass::outline),
+                       .has_all_features = (drawn.bits & features.bits) == features.bits};
   if (!prepared.scans.empty()) options.scan_of = [&](const Stroke& s) { return scan_of(prepared.scans, sources, s); };
   if (std::ranges::any_of(prepared.scans, &ScanObject::is_decimated)) {
     options.decimated_of = [&](const Stroke& s) {

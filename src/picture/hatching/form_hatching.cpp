@@ -125,9 +125,7 @@ std::vector<Layer> hatch_form(const HatchScene& hatch, const std::vector<Region>
   const View& view = prepared.view();
   HatchLayers layers(hatch);
   const double pen_mm = layers.pen_mm(0, ""), closest_mm = closest_strokes_mm(request, pen_mm);
-  FormStrokeOptions options;
-  options.closest_mm = closest_mm;
-  options.shortest_mm = prepared.request.lines.least_mm.value_or(0);
+  FormStrokeOptions options{.closest_mm = closest_mm, .shortest_mm = prepared.request.lines.least_mm.value_or(0)};
   check_points(prepared.request, regions, closest_mm, options.most_points);
   const FormField field = field_of(hatch, kSmoothSpacings * closest_mm / view.scale);
   const FormRegions seen(prepared.scene, hatch.form, view, regions, closest_mm);

@@ -110,9 +110,7 @@ void add_lit(const PlacedScene& placed, const CameraRequest& request, double opa
     if (seen.face_is_transparent[f] && opacity_of(scene, f) != opacity) seen.face_is_transparent[f] = kClearFace;
   }
   const Facets facets = make_facets(seen, coincidence_mm(seen) / seen.lattice.step_mm);
-  CellGrid::Options grid_options;
-  grid_options.margin_steps = coincidence_mm(seen) / seen.lattice.step_mm + 1;
-  grid_options.see_through = true;
+  CellGrid::Options grid_options{.margin_steps = coincidence_mm(seen) / seen.lattice.step_mm + 1, .see_through = true};
   const CellGrid grid(seen, facets.facets, grid_options);
   const VisibleFaces visible = find_visible_faces(seen, facets.facets, grid, {});
   for (const Region& region : visible.regions) {

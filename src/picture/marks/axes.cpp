@@ -193,8 +193,7 @@ void add_labels(Drawing& drawing, const PictureRequest& request, const PictureMa
 void add_surroundings(Drawing& drawing, const PictureMarks& surroundings, const AxesChoice& choice, RunReport& run) {
   const std::string name(kLineClassNames[static_cast<std::size_t>(LineClass::axes)]);
   Layer layer{name, {}};
-  const auto found =
-      std::find_if(drawing.layers.begin(), drawing.layers.end(), [&](const Layer& l) { return l.name == name; });
+  const auto found = std::ranges::find_if(drawing.layers, [&](const Layer& l) { return l.name == name; });
   if (found != drawing.layers.end()) {
     layer = std::move(*found);
     drawing.layers.erase(found);

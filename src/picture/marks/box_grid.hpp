@@ -1,7 +1,6 @@
 #pragma once
 /// A grid of square cells that finds numbered boxes near a place of the page.
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>

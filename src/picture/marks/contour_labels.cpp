@@ -142,8 +142,7 @@ class Labelling {
 
 void Labelling::collect(const Drawing& drawing) {
   const auto has = [&](std::string_view name) {
-    return std::any_of(drawing.layers.begin(), drawing.layers.end(),
-                       [&](const Layer& layer) { return layer.height && layer.name == name; });
+    return std::ranges::any_of(drawing.layers, [&](const Layer& layer) { return layer.height && layer.name == name; });
   };
   const bool index_only = options_.index_only && has("contour-index"), on_surface = has("contour") || has("contour-index");
   std::vector<double> heights;
@@ -155,7 +154,7 @@ void Labelling::collect(const Drawing& drawing) {
     for (std::size_t i = 0; i < layer.lines.size(); ++i)
       collect_line(layer.lines[i], {layer.lines[i], {0}, layer.height.value_or(0), labelled, stays});
   }
-  std::sort(heights.begin(), heights.end());
+  std::ranges::sort(heights);
   for (std::size_t i = 1; i < heights.size(); ++i) {
     const double step = heights[i] - heights[i - 1];
     if (step > 0 && (step_ == 0 || step < step_)) step_ = step;
@@ -340,7 +339,7 @@ Polylines without_boxes(const Polylines& lines, std::span<const TextBox> boxes) 
         if (part) cuts.push_back(*part);
         return false;
       });
-      std::sort(cuts.begin(), cuts.end());
+      std::ranges::sort(cuts);
       cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
       for (const auto& [from, to] : cuts) {
         cut = true;

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "files/input_file.hpp"
 #include "picture/run_report.hpp"
 #include "scene/model/scene.hpp"
 #include "visibility/method.hpp"

@@ -24,7 +24,7 @@ char name_of(Axis axis) { return "xyz"[static_cast<unsigned>(axis)]; }
 constexpr std::size_t kMostListed = 12;
 
 bool any_fits(const std::vector<std::string>& patterns, const std::string& name) {
-  return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& p) { return name_fits(p, name); });
+  return std::ranges::any_of(patterns, [&](const std::string& p) { return name_fits(p, name); });
 }
 
 bool is_drawn(const PartRequest& parts, const std::string& name) {
@@ -45,7 +45,7 @@ void choose_parts(Scene& scene, const PartRequest& parts, std::size_t first_numb
     move_object(scene, i, by);
     scene.stated.forget_relations();
   }
-  if (std::find(keep.begin(), keep.end(), 0) != keep.end()) keep_objects(scene, keep, first_number);
+  if (std::ranges::find(keep, 0) != keep.end()) keep_objects(scene, keep, first_number);
 }
 
 /// The name of a file without its folders and its suffix.
@@ -60,10 +60,9 @@ void name_after_file(Scene& scene, const std::string& file, ModelFormat format) 
 
 /// Options for the next file. `first_number`: number of its first object. The request must outlive the options.
 ReadOptions read_options(const ModelRequest& request, std::size_t first_number, const std::string& file) {
-  ReadOptions options;
-  options.pose = request.pose;
-  options.groups = request.tell_parts || request.parts.is_requested();
-  options.shading = request.quality == Quality::clear && request.shading;
+  ReadOptions options{.groups = request.tell_parts || request.parts.is_requested(),
+                      .shading = request.quality == Quality::clear && request.shading,
+                      .pose = request.pose};
   if (request.quality == Quality::exact) {
     options.weld_distance = request.weld_distance.value_or(0);
     options.merge_coplanar = request.merge_coplanar;
@@ -199,18 +198,17 @@ LoadedModels load_model(const ModelRequest& request, Scene scene, const std::str
 void require_names(const LoadedModels& models, const std::string& option, const std::vector<std::string>& patterns) {
   const std::vector<std::string>& names = models.object_names;
   for (const std::string& pattern : patterns) {
-    if (std::any_of(names.begin(), names.end(), [&](const std::string& name) { return name_fits(pattern, name); })) continue;
+    if (std::ranges::any_of(names, [&](const std::string& name) { return name_fits(pattern, name); })) continue;
     std::string list;
     std::vector<std::string> listed;
     for (const std::string& name : names) {
-      if (listed.size() < kMostListed && std::find(listed.begin(), listed.end(), name) == listed.end()) {
+      if (listed.size() < kMostListed && std::ranges::find(listed, name) == listed.end()) {
         listed.push_back(name);
         list += (list.empty() ? "" : ", ") + printable(name);
       }
     }
-    const bool all = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
-      return std::find(listed.begin(), listed.end(), name) != listed.end();
-    });
+    const bool all =
+        std::ranges::all_of(names, [&](const std::string& name) { return std::ranges::find(listed, name) != listed.end(); });
     throw RequestError(option, "no object is called " + shown(pattern, '"') + "; there " +
                                    (listed.size() == 1 ? "is " : "are ") + list +
                                    (all ? "" : " and more: ligne info --json lists all"));

@@ -67,10 +67,7 @@ void transform(Drawing& drawing, double scale, Point2 shift) {
 
 /// The page of a size, turned as requested or as its contents fit better.
 Page page_of_size(const PageSize& size, const PlotDrawingRequest& request, const Rect& contents) {
-  PageRequest wanted;
-  wanted.size = size;
-  wanted.landscape = request.landscape;
-  wanted.portrait = request.portrait;
+  PageRequest wanted{.size = size, .landscape = request.landscape, .portrait = request.portrait};
   return page_for(wanted, contents);
 }
 
@@ -219,14 +216,13 @@ Picture write_sheet(const Sheet& sheet, const PlotDrawingRequest& request, const
                     RunReport& run) {
   const auto& [drawing, page, dashes_cut] = sheet;
   if (request.format == OutputFormat::png) check_png(page, request.dpi, request.memory);
-  PlotOptions style;
-  style.page = page;
-  style.pen_width_mm = request.pen_width_mm.value_or(kPenWidthMm);
-  style.widths_mm = request.widths_mm;
-  style.hidden_solid = dashes_cut;
-  style.dpi = request.dpi;
-  style.curves = request.curves;
-  style.starts_stay = plotter.by_pens();
+  PlotOptions style{.page = page,
+                    .pen_width_mm = request.pen_width_mm.value_or(kPenWidthMm),
+                    .widths_mm = request.widths_mm,
+                    .hidden_solid = dashes_cut,
+                    .dpi = request.dpi,
+                    .curves = request.curves,
+                    .starts_stay = plotter.by_pens()};
   // Distance by which curves may exceed the chords from reading and simplifying. Polygons of the file have larger
   // angles.
   if (request.paint.kind == FillKind::none) style.curve_rise_mm = svg::kFlatnessMm + plotter.tolerances.simplify_mm;

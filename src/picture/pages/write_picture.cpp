@@ -268,21 +268,17 @@ void warn_of_size(const Page& page, RunReport& run) {
 }  // namespace
 
 PlotOptions plot_options(const PictureRequest& request, const Page& page) {
-  PlotOptions plot;
-  plot.page = page;
-  plot.pen_width_mm = request.page.pen_width_mm;
-  plot.widths_mm = request.page.widths_mm;
-  plot.hidden_solid = request.lines.hidden == HiddenLines::solid;
-  plot.title = request.output.title;
-  plot.dpi = request.output.dpi;
-  plot.curves = request.output.curves.value_or(request.lines.quality == Quality::clear);
-  return plot;
+  return {.page = page,
+          .pen_width_mm = request.page.pen_width_mm,
+          .widths_mm = request.page.widths_mm,
+          .hidden_solid = request.lines.hidden == HiddenLines::solid,
+          .title = request.output.title,
+          .dpi = request.output.dpi,
+          .curves = request.output.curves.value_or(request.lines.quality == Quality::clear)};
 }
 
 void check_png(const Page& page, double dpi, const MemoryLimit& memory) {
-  PlotOptions options;
-  options.page = page;
-  options.dpi = dpi;
+  PlotOptions options{.page = page, .dpi = dpi};
   PixelSize size;
   try {
     size = png_size(options);

@@ -109,9 +109,7 @@ struct OpenArea {
     contour.insert(contour.end(), down.begin(), down.end());
     contour.insert(contour.end(), foot.rbegin(), foot.rend());
     contour.insert(contour.end(), up.rbegin(), up.rend());
-    Region region;
-    region.face = face;
-    region.in_front = in_front;
+    Region region{.face = face, .in_front = in_front};
     region.contours.push_back(std::move(contour));
     return region;
   }
@@ -142,9 +140,8 @@ std::vector<std::size_t> continued(const std::vector<OpenArea>& above, const Spa
 }  // namespace
 
 SpanModel spans_of_pixels(const PixelModel& pixels) {
-  SpanModel model;
-  model.layers = pixels.layers;
-  model.lines = {pixels.corner_mm.y + pixels.pixel_mm / 2, pixels.pixel_mm, pixels.height};
+  SpanModel model{.lines = {pixels.corner_mm.y + pixels.pixel_mm / 2, pixels.pixel_mm, pixels.height},
+                  .layers = pixels.layers};
   for (std::uint32_t row = 0; row < pixels.height; ++row) {
     const std::size_t begin = std::size_t{row} * pixels.width;
     const auto shown = [&](std::uint32_t column) {

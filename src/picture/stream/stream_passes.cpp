@@ -154,10 +154,7 @@ PageSquares choose_squares(const TriangleFile& file, const StreamFacets& facets,
   while (boxes.squares(size) > std::max(kSquaresOfFacet * n, kSquaresOfAll)) size *= 1.25;
   // The size is even, so that a square's centre is on the lattice, and larger than the margins.
   const auto half = std::max(static_cast<std::int64_t>(std::ceil(size / 2)), 4 * facets.margin());
-  PageSquares squares;
-  squares.x = low.x;
-  squares.y = low.y;
-  squares.size = 2 * half;
+  PageSquares squares{.x = low.x, .y = low.y, .size = 2 * half};
   squares.columns = static_cast<std::int64_t>(width) / squares.size + 1;
   squares.rows = static_cast<std::int64_t>(height) / squares.size + 1;
   return squares;

@@ -30,16 +30,14 @@ bool can_be_found(LineClasses classes) {
 
 /// The bounds and the view of the whole model, from the few triangles that reach farthest.
 struct StreamedView {
-  std::vector<std::uint32_t> triangles;
-  Placement placement;
+  std::vector<std::uint32_t> triangles{};
+  Placement placement{};
   double largest = 0, near_mm = 0, far_mm = 0;
 };
 
 std::optional<StreamedView> find_view(const TriangleFile& file, const PictureRequest& picture,
                                       const StreamedBounds& bounds) {
-  StreamedView view;
-  view.triangles = bounds.triangles();
-  view.largest = bounds.largest_coordinate();
+  StreamedView view{.triangles = bounds.triangles(), .largest = bounds.largest_coordinate()};
   const Camera camera = camera_of(picture.view, scene_of_triangles(file, view.triangles));
   const StreamedExtent extent = find_extent(file, camera);
   for (const std::uint32_t t : extent.triangles()) view.triangles.push_back(t);

@@ -252,11 +252,9 @@ Scene scene_of_needed(const TriangleFile& file, const StreamFacets& facets, std:
   }
   const std::span<std::uint32_t> corners = scene.faces.append_triangles(triangles.size());
   for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = number[needed.corners[i]];
-  Object object;
-  object.vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
-  object.face_end = static_cast<std::uint32_t>(triangles.size());
-  object.precision = file.precision();
-  scene.objects.push_back(object);
+  scene.objects.push_back({.vertex_end = static_cast<std::uint32_t>(scene.vertices.size()),
+                           .face_end = static_cast<std::uint32_t>(triangles.size()),
+                           .precision = file.precision()});
   return scene;
 }
 

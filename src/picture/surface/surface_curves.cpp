@@ -30,7 +30,7 @@ constexpr Point3 kWaterColor{0.80, 0.89, 0.95};
 constexpr double kWhiteOfTints = 0.45;
 
 const SurfacePoints* ground_of(const std::vector<SurfacePoints>& surfaces) {
-  const auto found = std::find_if(surfaces.begin(), surfaces.end(), [](const SurfacePoints& s) { return !s.parametric; });
+  const auto found = std::ranges::find_if(surfaces, [](const SurfacePoints& s) { return !s.parametric; });
   return found == surfaces.end() ? nullptr : &*found;
 }
 
@@ -219,7 +219,7 @@ std::vector<double> band_limits(const SurfaceRequest& request, double low, doubl
   }
   for (unsigned k = 1; k < request.bands->count; ++k) limits.push_back(low + (high - low) * k / request.bands->count);
   limits.push_back(high);
-  std::sort(limits.begin(), limits.end());
+  std::ranges::sort(limits);
   return limits;
 }
 
@@ -260,8 +260,7 @@ void color_faces(const SurfaceRequest& request, const std::vector<double>& limit
       const auto corners = scene.faces.contour(face, 0);
       const std::optional<double>& water = surfaces[k].water;
       std::uint32_t& material = scene.face_material[face];
-      if (water && std::all_of(corners.begin(), corners.end(),
-                               [&](std::uint32_t v) { return scene.vertices[v].z == *water * z_factor; })) {
+      if (water && std::ranges::all_of(corners, [&](std::uint32_t v) { return scene.vertices[v].z == *water * z_factor; })) {
         material = kWater;
       } else if (!by_bands) {
         material = static_cast<std::uint32_t>(kFirst + k % count);
@@ -282,10 +281,8 @@ void add_surface_groups(const SurfaceRequest& request, const std::vector<double>
   const auto first = static_cast<std::uint32_t>(groups.groups.size());
   const std::size_t count = by_bands ? limits.size() - 1 : face_ends.size();
   for (std::size_t i = 0; i < count; ++i) {
-    LineGroup group;
-    group.object = (by_bands ? "band " : "surface ") + std::to_string(i + 1);
-    group.color = by_bands ? band_color(request, i, count) : request.colors[i % request.colors.size()];
-    groups.groups.push_back(group);
+    groups.groups.push_back({.object = (by_bands ? "band " : "surface ") + std::to_string(i + 1),
+                             .color = by_bands ? band_color(request, i, count) : request.colors[i % request.colors.size()]});
   }
   const auto inner = std::move(groups.group_of);
   const bool contours_apart = names_heights(request.curves);

@@ -8,10 +8,8 @@
 #include "picture/line_groups.hpp"
 #include "picture/run_report.hpp"
 #include "picture/surface/surface_request.hpp"
-#include "scene/surfaces/surface_mesh.hpp"
 #include "scene/surfaces/surface_points.hpp"
 #include "view/axes/axes_box.hpp"
-#include "view/view.hpp"
 
 namespace ligne {
 

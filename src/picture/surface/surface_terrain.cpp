@@ -56,9 +56,8 @@ void add_terrain_lines(const SurfaceRequest& request, const std::vector<SurfaceM
   const double pen_mm = request.picture.page.pen_width_mm;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     if (terrain.hachures != HachureKind::none) {
-      HachureOptions options;
-      options.spacing = terrain.hachure_mm.value_or(kHachurePens * pen_mm) / view.scale;
-      options.sun = towards_sun(terrain);
+      HachureOptions options{.spacing = terrain.hachure_mm.value_or(kHachurePens * pen_mm) / view.scale,
+                             .sun = towards_sun(terrain)};
       add_lines(groups, {"hatch"},
                 terrain.hachures == HachureKind::contour ? contour_hachures(meshes[i], water[i], factor, options)
                                                          : slope_hachures(meshes[i], water[i], factor, options));
@@ -74,10 +73,7 @@ void add_terrain_lines(const SurfaceRequest& request, const std::vector<SurfaceM
 }
 
 LineGroup contour_group(const CurveRequest& request, double level, std::size_t number) {
-  LineGroup group;
-  group.layer = is_index_contour(request, level, number) ? "contour-index" : "contour";
-  group.height = level;
-  return group;
+  return {.layer = is_index_contour(request, level, number) ? "contour-index" : "contour", .height = level};
 }
 
 void add_contour_groups(const SurfaceRequest& request, const std::vector<double>& contours,

@@ -216,10 +216,8 @@ class PolygonCleaner {
 
 void make_single_object(Scene& scene) {
   if (!scene.objects.empty() || (scene.vertices.empty() && scene.faces.empty())) return;
-  Object object;
-  object.vertex_end = static_cast<std::uint32_t>(scene.vertices.size());
-  object.face_end = static_cast<std::uint32_t>(scene.faces.size());
-  scene.objects.push_back(object);
+  scene.objects.push_back({.vertex_end = static_cast<std::uint32_t>(scene.vertices.size()),
+                           .face_end = static_cast<std::uint32_t>(scene.faces.size())});
 }
 
 void finish_scene(Scene& scene, Warnings& warnings, std::optional<Weld> known) {

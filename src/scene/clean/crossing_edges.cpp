@@ -64,7 +64,7 @@ double bend(const Sheet& s) { return std::abs(turn(s.a, s.b) - std::numbers::pi)
 /// Coincident sheets count once. A single direction is a border, which crosses nothing. Other numbers of directions are
 /// ambiguous and give no sheet.
 void add_sheets(std::vector<Direction>& directions, std::vector<Sheet>& sheets) {
-  std::sort(directions.begin(), directions.end(), [](const Direction& l, const Direction& r) { return l.angle < r.angle; });
+  std::ranges::sort(directions, [](const Direction& l, const Direction& r) { return l.angle < r.angle; });
   directions.erase(std::unique(directions.begin(), directions.end(), equal), directions.end());
   if (directions.size() > 1 && equal(directions.front(), directions.back())) directions.pop_back();
   const auto& d = directions;
@@ -72,9 +72,8 @@ void add_sheets(std::vector<Direction>& directions, std::vector<Sheet>& sheets) 
   if (d.size() != 4) return;
   const std::array<std::array<Sheet, 2>, 3> pairings{
       {{{{d[0], d[2]}, {d[1], d[3]}}}, {{{d[0], d[1]}, {d[2], d[3]}}}, {{{d[0], d[3]}, {d[1], d[2]}}}}};
-  const auto& best = *std::min_element(pairings.begin(), pairings.end(), [](const auto& l, const auto& r) {
-    return bend(l[0]) + bend(l[1]) < bend(r[0]) + bend(r[1]);
-  });
+  const auto& best = *std::ranges::min_element(
+      pairings, [](const auto& l, const auto& r) { return bend(l[0]) + bend(l[1]) < bend(r[0]) + bend(r[1]); });
   sheets.insert(sheets.end(), best.begin(), best.end());
 }
 
@@ -84,7 +83,7 @@ class CrossingSearch {
 
   void run() {
     std::vector<Side> sides = candidates();
-    std::sort(sides.begin(), sides.end(), [](const Side& l, const Side& r) {
+    std::ranges::sort(sides, [](const Side& l, const Side& r) {
       return std::tie(l.v0, l.v1, l.object, l.corner) < std::tie(r.v0, r.v1, r.object, r.corner);
     });
     for (std::size_t i = 0; i < sides.size();) {

@@ -47,8 +47,7 @@ bool is_planar(const std::vector<Point3>& vertices, const DetachedFace& face, do
   const std::vector<Point3> points = corner_points(vertices, face);
   const SpanningPlane plane = spanning_plane(points);
   const double tolerance = planarity_tolerance(precision, plane.span);
-  return std::all_of(points.begin(), points.end(),
-                     [&](const Point3& p) { return std::abs(plane.distance(p)) <= tolerance; });
+  return std::ranges::all_of(points, [&](const Point3& p) { return std::abs(plane.distance(p)) <= tolerance; });
 }
 
 bool is_covered(const std::vector<Point3>& vertices, const DetachedFace& face) {

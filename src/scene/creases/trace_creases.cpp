@@ -53,8 +53,8 @@ class Tracer {
     for (std::uint32_t k = 0; k < candidates_.size(); ++k) {
       if (bends_[candidates_[k]] >= Bend::strong && wide_[k] > crease) seeds.push_back(k);
     }
-    std::sort(seeds.begin(), seeds.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return std::pair(-wide_[a], a) < std::pair(-wide_[b], b); });
+    std::ranges::sort(seeds,
+                      [&](std::uint32_t a, std::uint32_t b) { return std::pair(-wide_[a], a) < std::pair(-wide_[b], b); });
     for (const std::uint32_t seed : seeds) {
       if (!on_line_[seed] && !refused_[seed]) trace(seed);
     }
@@ -109,7 +109,7 @@ class Tracer {
       // If triangles cross a ridge alternately from both sides, the edges along the ridge do not bend at all.
       for (const std::uint32_t f : {topology_.edges[e].face0, topology_.edges[e].face1}) add_edges_of(f);
     }
-    std::sort(candidates_.begin(), candidates_.end());
+    std::ranges::sort(candidates_);
     candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
     const std::vector<std::uint8_t> wanted = near_candidates();
     const std::vector<std::uint32_t> wanted_faces = faces_at(wanted), near = indices_of_marks(wanted);
@@ -203,7 +203,7 @@ class Tracer {
         round.insert(round.end(), more.begin(), more.end());
       }
     }
-    std::sort(round.begin(), round.end());
+    std::ranges::sort(round);
     round.erase(std::unique(round.begin(), round.end()), round.end());
   }
 
@@ -242,8 +242,8 @@ class Tracer {
   struct Line {
     std::vector<std::uint32_t> vertices, edges;
     void turn_round() {
-      std::reverse(vertices.begin(), vertices.end());
-      std::reverse(edges.begin(), edges.end());
+      std::ranges::reverse(vertices);
+      std::ranges::reverse(edges);
     }
   };
 
@@ -263,8 +263,8 @@ class Tracer {
       shorten(line);
       line.turn_round();
     }
-    const auto firm_edges = std::count_if(line.edges.begin(), line.edges.end(),
-                                          [&](std::uint32_t k) { return bends_[candidates_[k]] == Bend::firm; });
+    const auto firm_edges =
+        std::ranges::count_if(line.edges, [&](std::uint32_t k) { return bends_[candidates_[k]] == Bend::firm; });
     const bool firm = 2 * static_cast<std::size_t>(firm_edges) >= line.edges.size();
     const bool is_clean_line = is_clean(line), is_crease = is_clean_line && (firm || !is_short_rounding(line));
     for (const std::uint32_t k : line.edges) {
@@ -307,7 +307,7 @@ class Tracer {
       best = k, best_vertex = next, best_score = score;
     }
     if (best == kNone) return false;
-    const auto met = std::find(line.vertices.begin(), line.vertices.end(), best_vertex);
+    const auto met = std::ranges::find(line.vertices, best_vertex);
     if (met != line.vertices.end() && met != line.vertices.begin()) return false;
     const bool closes = met != line.vertices.end();
     line.vertices.push_back(best_vertex);
@@ -328,8 +328,7 @@ class Tracer {
 
   bool is_clean(const Line& line) const {
     if (line.edges.size() < kFewestEdges) return false;
-    const auto on_ridge =
-        std::count_if(line.vertices.begin(), line.vertices.end(), [&](std::uint32_t v) { return is_on_ridge(v); });
+    const auto on_ridge = std::ranges::count_if(line.vertices, [&](std::uint32_t v) { return is_on_ridge(v); });
     std::size_t turns = 0;
     for (std::size_t i = 2; i < line.vertices.size(); ++i) {
       const Point3 a = scene_.vertices[line.vertices[i - 2]], b = scene_.vertices[line.vertices[i - 1]];

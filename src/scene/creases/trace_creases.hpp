@@ -2,13 +2,10 @@
 /// Traces the creases of scans and remeshed surfaces as lines along ridges, without the teeth of single triangles.
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "scene/creases/bend.hpp"
 #include "scene/creases/scan_meshes.hpp"
-#include "scene/model/scene.hpp"
-#include "scene/model/topology.hpp"
 
 namespace ligne {
 

@@ -2,7 +2,6 @@
 /// Bounding boxes of the vertices of a scene.
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/common.hpp>

@@ -13,7 +13,7 @@
 namespace ligne {
 
 struct Material {
-  std::string name;
+  std::string name{};
   Point3 color{0.8, 0.8, 0.8};  ///< red, green, blue in [0, 1]
   double opacity = 1;           ///< 0 transparent, 1 opaque
 };
@@ -26,7 +26,7 @@ struct Light {
 
 /// A camera that the model file defines.
 struct SceneCamera {
-  std::string name;
+  std::string name{};
   Point3 eye{0, 0, 0};
   Point3 forward{0, 0, -1};        ///< viewing direction, of any length
   std::optional<Point3> up{};      ///< nothing: Scene::up_axis
@@ -45,7 +45,7 @@ struct Detail {
 /// A separate body. An edge joins faces of one object only, so two solids that touch keep their own edges. An object
 /// owns a contiguous range of the vertices of the scene and a contiguous range of its faces.
 struct Object {
-  std::string name;
+  std::string name{};
   std::uint32_t vertex_begin = 0, vertex_end = 0;  ///< vertices [vertex_begin, vertex_end)
   std::uint32_t face_begin = 0, face_end = 0;      ///< faces [face_begin, face_end)
   /// Largest error of a coordinate as stored, in model units: half a unit in the last place of the file's number format

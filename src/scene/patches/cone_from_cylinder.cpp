@@ -25,9 +25,7 @@ struct TouchedCone {
 
   PatchSurface surface() const {
     const double cosine = std::cos(angle), sine = std::sin(angle);
-    PatchSurface s;
-    s.kind = SurfaceKind::cone;
-    s.axis = cosine * ruling - sine * normal;
+    PatchSurface s{.kind = SurfaceKind::cone, .axis = cosine * ruling - sine * normal};
     s.radius = radius * cosine;  // Meusnier's theorem
     s.slope = std::tan(angle);
     s.at = at - s.radius * (sine * ruling + cosine * normal);

@@ -172,10 +172,7 @@ std::optional<PatchSurface> cone_from_quadric(const SurfaceSample& sample) {
   const Eigen3 e = symmetric_eigen({{{a[0], a[3] / 2, a[4] / 2}, {a[3] / 2, a[1], a[5] / 2}, {a[4] / 2, a[5] / 2, a[2]}}});
   // The axis is the direction of the eigenvalue that differs most from the two others.
   const std::size_t along = e.values[1] - e.values[0] < e.values[2] - e.values[1] ? 2 : 0;
-  PatchSurface s;
-  s.kind = SurfaceKind::cone;
-  s.axis = e.vectors[along];
-  s.at = sample.middle;
+  PatchSurface s{.kind = SurfaceKind::cone, .at = sample.middle, .axis = e.vectors[along]};
   const Point3 slope(a[6], a[7], a[8]);
   for (std::size_t k = 0; k < 3; ++k) {
     if (k == along) continue;

@@ -3,8 +3,6 @@
 /// docs/patches.md.
 
 #include <cstdint>
-#include <glm/vec3.hpp>
-#include <span>
 #include <vector>
 
 #include "scene/creases/face_normals.hpp"

@@ -102,9 +102,7 @@ void SceneBuilder::set_corner_flags(std::span<const std::uint8_t> flags) {
 void SceneBuilder::use_material(const std::string& name) {
   const auto [entry, is_new] = material_index_.try_emplace(name, static_cast<std::uint32_t>(scene_.materials.size()));
   if (is_new) {
-    Material material;
-    material.name = name;
-    scene_.materials.push_back(std::move(material));
+    scene_.materials.push_back({.name = name});
   }
   material_ = entry->second;
 }

@@ -8,7 +8,6 @@
 #include <string>
 #include <string_view>
 
-#include "files/message_text.hpp"
 #include "scene/model/diagnostics.hpp"
 
 namespace ligne {

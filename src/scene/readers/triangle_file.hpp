@@ -2,7 +2,6 @@
 /// A model file in which every triangle is found by its number: binary STL, and binary PLY of triangles only.
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>

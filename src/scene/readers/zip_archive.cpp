@@ -62,12 +62,11 @@ void ZipArchive::read_directory() {
 
 void ZipArchive::read_entry(std::uint64_t& at) {
   if (number(at, 4) != kDirectoryMark) fail("its directory is broken");
-  ZipEntry entry;
-  entry.is_encrypted = (number(at + 8, 2) & 1) != 0;
-  entry.method = static_cast<std::uint16_t>(number(at + 10, 2));
-  entry.packed = number(at + 20, 4);
-  entry.size = number(at + 24, 4);
-  entry.header = number(at + 42, 4);
+  ZipEntry entry{.method = static_cast<std::uint16_t>(number(at + 10, 2)),
+                 .packed = number(at + 20, 4),
+                 .size = number(at + 24, 4),
+                 .header = number(at + 42, 4),
+                 .is_encrypted = (number(at + 8, 2) & 1) != 0};
   const std::uint64_t name = number(at + 28, 2), extra = number(at + 30, 2), comment = number(at + 32, 2);
   at += kDirectoryBytes;
   if (name + extra + comment > bytes_.size() - at) fail("its directory is cut off");

@@ -11,7 +11,7 @@
 namespace ligne {
 
 struct ZipEntry {
-  std::string name;  ///< with / between folders
+  std::string name{};  ///< with / between folders
   std::uint16_t method = 0;
   std::uint64_t packed = 0, size = 0, header = 0;  ///< size in the archive, size of the entry, offset of its own header
   bool is_encrypted = false;

@@ -254,10 +254,7 @@ void add_wall(const SurfaceMesh& mesh, std::size_t rim, double base, ObjectMaker
 }  // namespace
 
 SurfaceMesh make_surface_mesh(const SurfacePoints& surface) {
-  SurfaceMesh mesh;
-  mesh.name = surface.name;
-  mesh.from_formula = surface.from_formula;
-  mesh.vertices = surface.points;
+  SurfaceMesh mesh{.name = surface.name, .from_formula = surface.from_formula, .vertices = surface.points};
   const std::vector<std::uint32_t> vertex = vertices_of(surface, mesh.vertices);
   const std::size_t cells = surface.columns < 2 || surface.rows < 2 ? 0 : (surface.columns - 1) * (surface.rows - 1);
   mesh.triangles.reserve(2 * cells);

@@ -31,11 +31,11 @@ struct SurfaceMesh {
   /// if the edge is on the outer rim of the grid's surface.
   enum Flag : std::uint8_t { kRimBottom = 8, kRimRight = 32, kRimTop = 64, kRimLeft = 128 };
 
-  std::string name;
+  std::string name{};
   bool from_formula = false;
-  std::vector<Point3> vertices;  ///< some may belong to no triangle
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::array<std::uint8_t, 3>> flags;
+  std::vector<Point3> vertices{};  ///< some may belong to no triangle
+  std::vector<std::array<std::uint32_t, 3>> triangles{};
+  std::vector<std::array<std::uint8_t, 3>> flags{};
 };
 
 /// Makes the mesh of a surface. Where a parametric surface closes or runs into a pole, samples within the rounding of

@@ -46,9 +46,7 @@ void take_samples(std::size_t& taken, std::size_t columns, std::size_t rows, con
 }
 
 SurfacePoints points_of(const HeightSource& heights) {
-  SurfacePoints surface;
-  surface.columns = heights.x().size();
-  surface.rows = heights.y().size();
+  SurfacePoints surface{.columns = heights.x().size(), .rows = heights.y().size()};
   surface.points.resize(surface.columns * surface.rows);
   parallel_for(surface.rows, [&](std::size_t j) {
     std::vector<double> z(surface.columns);
@@ -61,9 +59,7 @@ SurfacePoints points_of(const HeightSource& heights) {
 
 SurfacePoints parametric_points(const std::array<std::string, 3>& formulas, const std::vector<double>& u,
                                 const std::vector<double>& v) {
-  SurfacePoints surface;
-  surface.columns = u.size();
-  surface.rows = v.size();
+  SurfacePoints surface{.columns = u.size(), .rows = v.size()};
   surface.points.resize(u.size() * v.size());
   surface.parametric = surface.from_formula = true;
   constexpr std::array<const char*, 3> kNames{"formula of x", "formula of y", "formula of z"};

@@ -20,17 +20,17 @@ inline constexpr double kFormulaRounding = 0x1p-40;
 /// Samples of one surface, row by row; column i and row j is points[j * columns + i]. A column is a curve of constant x
 /// (or u), a row one of constant y (or v). A sample with NaN in any coordinate is a hole.
 struct SurfacePoints {
-  std::string name;
+  std::string name{};
   std::size_t columns = 0, rows = 0;
-  std::vector<Point3> points;
+  std::vector<Point3> points{};
   /// Number of samples between curves, as in HorizonOptions, along columns and along rows; 0: no curves. The last
   /// column and row always carry a curve.
   std::size_t x_stride = 1, y_stride = 1;
   /// Cells that are left out regardless of their corners, row by row, columns - 1 per row; may be empty.
-  std::vector<char> left_out;
-  bool parametric = false;                         ///< points may coincide: where the surface closes, and at poles
-  bool from_formula = false;                       ///< coordinates have the error of a formula (kFormulaRounding)
-  std::shared_ptr<const HeightFunction> function;  ///< z = f(x, y), if given as a formula
+  std::vector<char> left_out{};
+  bool parametric = false;                           ///< points may coincide: where the surface closes, and at poles
+  bool from_formula = false;                         ///< coordinates have the error of a formula (kFormulaRounding)
+  std::shared_ptr<const HeightFunction> function{};  ///< z = f(x, y), if given as a formula
   GroundUnit unit = GroundUnit::unknown;
 };
 

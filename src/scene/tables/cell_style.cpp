@@ -82,8 +82,7 @@ struct Evidence {
   }
 
   std::size_t most_common_count() const {
-    const auto best =
-        std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    const auto best = std::ranges::max_element(counts, [](const auto& a, const auto& b) { return a.second < b.second; });
     return best == counts.end() ? 0 : best->first;
   }
 

@@ -97,17 +97,16 @@ std::string cell_text(std::string_view cell) {
 }
 
 bool begins_with_sheet_error(std::string_view text) {
-  return std::any_of(kSheetErrors.begin(), kSheetErrors.end(),
-                     [&](std::string_view error) { return starts_with_ignoring_case(text, error); });
+  return std::ranges::any_of(kSheetErrors, [&](std::string_view error) { return starts_with_ignoring_case(text, error); });
 }
 
 bool is_missing(std::string_view cell) {
   if (cell.empty()) return true;
-  const auto is_run = [&](char c) { return std::all_of(cell.begin(), cell.end(), [c](char at) { return at == c; }); };
+  const auto is_run = [&](char c) { return std::ranges::all_of(cell, [c](char at) { return at == c; }); };
   if (is_run('-') || is_run('*')) return true;
   const auto is = [&](std::string_view sign) { return equal_ignoring_case(cell, sign); };
-  if (std::any_of(kMissingValueWords.begin(), kMissingValueWords.end(), is)) return true;
-  if (std::any_of(kSheetErrors.begin(), kSheetErrors.end(), is)) return true;
+  if (std::ranges::any_of(kMissingValueWords, is)) return true;
+  if (std::ranges::any_of(kSheetErrors, is)) return true;
   const std::string_view bare = without_sign(cell);
   for (const std::string_view sign : {"nan", "inf", "infinity", "1.#qnan", "1.#ind", "1.#inf", "1.#snan"}) {
     if (equal_ignoring_case(bare, sign)) return true;
@@ -140,8 +139,8 @@ CommaEvidence comma_evidence(std::string_view cell) {
   std::string_view digits = without_sign(cell);
   const std::size_t exponent = digits.find_first_of("eEdD");
   const std::string_view mantissa = digits.substr(0, exponent);
-  const auto commas = std::count(mantissa.begin(), mantissa.end(), ',');
-  const auto points = std::count(mantissa.begin(), mantissa.end(), '.');
+  const auto commas = std::ranges::count(mantissa, ',');
+  const auto points = std::ranges::count(mantissa, '.');
   if (mantissa.empty() || (commas == 0 && points == 0)) return found;
   if (mantissa.find_first_not_of("0123456789,.") != std::string_view::npos) return found;
   if (mantissa.find_first_of("0123456789") == std::string_view::npos) return found;

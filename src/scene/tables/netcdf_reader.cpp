@@ -235,8 +235,8 @@ struct ValueScale {
   }
 
   double operator()(double number) const {
-    const bool is_missing = !std::isfinite(number) || std::abs(number) > kDefaultFill ||
-                            std::find(missing.begin(), missing.end(), number) != missing.end();
+    const bool is_missing =
+        !std::isfinite(number) || std::abs(number) > kDefaultFill || std::ranges::find(missing, number) != missing.end();
     const double value = number * factor + offset;
     return is_missing || !std::isfinite(value) ? std::numeric_limits<double>::quiet_NaN() : value;
   }
@@ -283,7 +283,7 @@ DataArray layer_of(const NetcdfHeader& header, const NetcdfVariable& variable, s
 /// Reads grids of GMT before version 4: x_range, y_range and spacing, and z as one row, north first.
 void restore_old_gmt(const NetcdfHeader& header, std::vector<DataArray>& arrays, const std::string& name) {
   const auto find = [&](const char* wanted) -> DataArray* {
-    const auto found = std::find_if(arrays.begin(), arrays.end(), [&](const DataArray& a) { return a.name == wanted; });
+    const auto found = std::ranges::find_if(arrays, [&](const DataArray& a) { return a.name == wanted; });
     return found == arrays.end() || found->values.empty() ? nullptr : &*found;
   };
   DataArray *x_range = find("x_range"), *y_range = find("y_range"), *counts = find("dimension"), *z = find("z");
@@ -294,8 +294,7 @@ void restore_old_gmt(const NetcdfHeader& header, std::vector<DataArray>& arrays,
   if (!(columns >= 2 && rows >= 2) || columns * rows != static_cast<double>(z->values.size())) {
     throw InputError(name, "is a grid of GMT whose dimension does not fit its heights");
   }
-  const auto variable =
-      std::find_if(header.variables.begin(), header.variables.end(), [](const NetcdfVariable& v) { return v.name == "z"; });
+  const auto variable = std::ranges::find_if(header.variables, [](const NetcdfVariable& v) { return v.name == "z"; });
   const bool by_pixels = number_of(variable->attributes, "node_offset", 0) != 0;
   const auto positions = [&](const char* axis, const DataArray& range, double count) {
     const double step = (range.values[1] - range.values[0]) / (by_pixels ? count : count - 1);
@@ -305,7 +304,7 @@ void restore_old_gmt(const NetcdfHeader& header, std::vector<DataArray>& arrays,
   };
   DataArray y = positions("y", *y_range, rows),
             heights{"z", {y.shape[0], static_cast<std::size_t>(columns)}, z->values, {"y", "x"}};
-  std::reverse(y.values.begin(), y.values.end());
+  std::ranges::reverse(y.values);
   DataArray x = positions("x", *x_range, columns);
   arrays = {std::move(x), std::move(y), std::move(heights)};
 }

@@ -17,9 +17,7 @@ Polylines axis_lines(std::span<const AxisLine> lines, const View& view, const Li
     visible.assign(lines.size(), {VisibleInterval{}});
   }
 
-  StrokeModel model;
-  model.lattice = page_lattice(view);
-  model.edge_count = static_cast<std::uint32_t>(lines.size());
+  StrokeModel model{.lattice = page_lattice(view), .edge_count = static_cast<std::uint32_t>(lines.size())};
   const ClipVolume volume = line_volume(view, model.lattice);
   for (std::uint32_t i = 0; i < lines.size(); ++i) {
     const HomogeneousPoint a = to_homogeneous(view, lines[i].a), b = to_homogeneous(view, lines[i].b);
@@ -29,17 +27,16 @@ Polylines axis_lines(std::span<const AxisLine> lines, const View& view, const Li
       const double from = std::max(part.from, inside->range[0]), to = std::min(part.to, inside->range[1]);
       if (!(from < to)) continue;
       const HomogeneousPoint p = interpolate(a, b, from), q = interpolate(a, b, to);
-      Stroke stroke;
-      stroke.t_from = from;
-      stroke.t_to = to;
-      stroke.from = model.lattice.snap({p.x / p.w, p.y / p.w});
-      stroke.to = model.lattice.snap({q.x / q.w, q.y / q.w});
-      stroke.z_from = static_cast<float>(p.z / p.w);
-      stroke.z_to = static_cast<float>(q.z / q.w);
-      stroke.w_from = static_cast<float>(p.w);
-      stroke.w_to = static_cast<float>(q.w);
-      stroke.source = i;
-      stroke.line_class = LineClass::border;
+      Stroke stroke{.t_from = from,
+                    .t_to = to,
+                    .from = model.lattice.snap({p.x / p.w, p.y / p.w}),
+                    .to = model.lattice.snap({q.x / q.w, q.y / q.w}),
+                    .z_from = static_cast<float>(p.z / p.w),
+                    .z_to = static_cast<float>(q.z / q.w),
+                    .w_from = static_cast<float>(p.w),
+                    .w_to = static_cast<float>(q.w),
+                    .source = i,
+                    .line_class = LineClass::border};
       if (stroke.from != stroke.to) model.strokes.push_back(stroke);
     }
   }

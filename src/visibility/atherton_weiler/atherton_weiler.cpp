@@ -274,11 +274,7 @@ LineVisibility parts_of_intersections(const MakeSearch& make_search) {
 }
 
 CellGrid::Options grid_options(double coincidence_steps, bool hidden_intersections) {
-  CellGrid::Options options;
-  options.margin_steps = coincidence_steps + 1;
-  options.drop_hidden = !hidden_intersections;
-  options.see_through = true;
-  return options;
+  return {.margin_steps = coincidence_steps + 1, .drop_hidden = !hidden_intersections, .see_through = true};
 }
 
 VisibilityResult atherton_weiler_visibility(const ProjectedScene& scene, const VisibilityOptions& options) {

@@ -28,9 +28,7 @@ class UnitMaker {
   }
 
   ClipUnit unit_of(std::vector<UnitFace> faces, std::vector<ContourFace> outline) const {
-    ClipUnit unit;
-    unit.z_near = 1e300;
-    unit.z_far = -1e300;
+    ClipUnit unit{.z_near = 1e300, .z_far = -1e300};
     for (const UnitFace& face : faces) {
       for (const std::uint32_t f : face.facets) {
         const Facet& facet = facets_[f];
@@ -84,7 +82,7 @@ std::vector<Body> closed_bodies(const ProjectedScene& scene, const std::vector<F
       sides.push_back({std::min(v, w), std::max(v, w)});
     }
   }
-  std::sort(sides.begin(), sides.end());
+  std::ranges::sort(sides);
   std::vector<std::uint32_t> number(scene.vertices.size(), 0);  // of its body, at the root of each group
   for (std::size_t i = 0; i < sides.size();) {
     std::size_t end = i + 1;
@@ -120,8 +118,7 @@ double area_of(const std::vector<ContourFace>& faces) { return twice_area(faces)
 std::vector<UnitFace> by_face(const std::vector<Facet>& facets, const std::vector<std::uint32_t>& list,
                               const UnitMaker& maker) {
   std::vector<std::uint32_t> sorted = list;
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return facets[a].face < facets[b].face; });
+  std::ranges::stable_sort(sorted, [&](std::uint32_t a, std::uint32_t b) { return facets[a].face < facets[b].face; });
   std::vector<UnitFace> faces;
   for (const std::uint32_t f : sorted) {
     if (faces.empty() || faces.back().face != facets[f].face) faces.push_back({facets[f].face, {}, {}});
@@ -198,7 +195,7 @@ std::vector<ClipUnit> clip_units(const ProjectedScene& scene, const std::vector<
     one.push_back(std::move(face));
     units.emplace_back(first, maker.unit_of(std::move(one), std::move(outline)));
   }
-  std::sort(units.begin(), units.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::ranges::sort(units, [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<ClipUnit> result;
   result.reserve(units.size());
   for (auto& [first, unit] : units) result.push_back(std::move(unit));

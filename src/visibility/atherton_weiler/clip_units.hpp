@@ -39,9 +39,9 @@ struct UnitFace {
 };
 
 struct ClipUnit {
-  std::vector<UnitFace> faces;       ///< one face, or the front faces of a convex body
-  std::vector<ContourFace> outline;  ///< the union of the faces: the silhouette
-  PageBox box;
+  std::vector<UnitFace> faces{};       ///< one face, or the front faces of a convex body
+  std::vector<ContourFace> outline{};  ///< the union of the faces: the silhouette
+  PageBox box{};
   double z_near = 0, z_far = 0;  ///< depth range, widened by the depth tolerance
   bool transparent = false;
   bool body = false;

@@ -138,7 +138,7 @@ struct Inside {
 
 using Units = std::vector<std::uint32_t>;
 
-bool holds(const Units& units, std::uint32_t unit) { return std::find(units.begin(), units.end(), unit) != units.end(); }
+bool holds(const Units& units, std::uint32_t unit) { return std::ranges::find(units, unit) != units.end(); }
 
 void set_pieces(Polygon& polygon, std::vector<ContourFace> pieces) {
   polygon.pieces = std::move(pieces);
@@ -162,7 +162,7 @@ class ZoneStudy {
         clip_(options.clip, counts) {}
 
   void study(Units zone) {
-    std::sort(zone.begin(), zone.end(), [&](std::uint32_t a, std::uint32_t b) {
+    std::ranges::sort(zone, [&](std::uint32_t a, std::uint32_t b) {
       return std::pair(units_[a].z_near, a) < std::pair(units_[b].z_near, b);
     });
     std::vector<Polygon> list;
@@ -300,8 +300,8 @@ void ZoneStudy::show(const Polygon& polygon) {
 
 /// Joins the pieces of each face and level. A common border of two pieces may lie on different segments of one line.
 void add_all(const Lattice& lattice, const std::vector<Facet>& facets, std::vector<Piece>& pieces, VisibleFaces& out) {
-  std::stable_sort(pieces.begin(), pieces.end(),
-                   [](const Piece& a, const Piece& b) { return std::pair(a.face, a.level) < std::pair(b.face, b.level); });
+  std::ranges::stable_sort(
+      pieces, [](const Piece& a, const Piece& b) { return std::pair(a.face, a.level) < std::pair(b.face, b.level); });
   for (std::size_t i = 0; i < pieces.size();) {
     const std::size_t first = i;
     std::vector<ContourFace> parts = std::move(pieces[i++].parts);
@@ -332,8 +332,7 @@ VisibleFaces study_polygons(const ProjectedScene& scene, const std::vector<Facet
   const OverlapTests tests(scene, facets, units, options.zones);
   std::vector<Units> zones = zones_of(units, tests, counts);
   counts.zones = zones.size();
-  counts.bodies =
-      static_cast<std::uint64_t>(std::count_if(units.begin(), units.end(), [](const ClipUnit& u) { return u.body; }));
+  counts.bodies = static_cast<std::uint64_t>(std::ranges::count_if(units, [](const ClipUnit& u) { return u.body; }));
   std::vector<VisibleFaces> found(zones.size());
   std::mutex mutex;
   std::size_t done = 0;

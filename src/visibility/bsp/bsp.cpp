@@ -80,9 +80,7 @@ void BspTree::divide(Task task, const PlaneChoice& options, std::vector<Task>& o
   const DividingPlane root = choose_plane(pieces_, task.pieces, options, task.seed);
   const auto number = static_cast<std::uint32_t>(nodes_.size());
   if (task.parent != kNone) (task.front ? nodes_[task.parent].front : nodes_[task.parent].back) = number;
-  Node node;
-  node.plane = root.plane;
-  node.begin = static_cast<std::uint32_t>(in_planes_.size());
+  Node node{.plane = root.plane, .begin = static_cast<std::uint32_t>(in_planes_.size())};
   Task front{{}, number, true, task.depth + 1, scramble(task.seed)};
   Task back{{}, number, false, task.depth + 1, scramble(task.seed + 1)};
   for (const std::uint32_t piece : task.pieces) {

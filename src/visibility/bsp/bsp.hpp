@@ -71,14 +71,14 @@ class BspTree final : public CompiledScene {
 
  private:
   struct Node {
-    ModelPlane plane;
+    ModelPlane plane{};
     std::uint32_t begin = 0, end = 0;  ///< its pieces in in_planes_
     std::uint32_t front = kNone, back = kNone;
   };
 
   /// A set of pieces that becomes a subtree.
   struct Task {
-    std::vector<std::uint32_t> pieces;
+    std::vector<std::uint32_t> pieces{};
     std::uint32_t parent = kNone;
     bool front = false;
     std::uint64_t depth = 1, seed = 0;

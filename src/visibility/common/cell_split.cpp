@@ -223,10 +223,7 @@ void CellGrid::Splitter::split(Cell& cell, const CellSquare& square, std::vector
   cell.count = Cell::kSplit;
   cell.arena = store.index;
   for (int k = 0; k < kChildren; ++k) {
-    Cell child;
-    child.occluder_depth = covers[k];
-    child.dropped_by_planes = cell.dropped_by_planes;
-    child.arena = store.index;
+    Cell child{.occluder_depth = covers[k], .arena = store.index, .dropped_by_planes = cell.dropped_by_planes};
     const CellSquare below = child_square(square, k);
     lists[k].resize(drop_covered(child, lists[k].data(), lists[k].size(), below, store.cover));
     if (should_split(lists[k].data(), lists[k].size(), size) && progress(lists[k])) {

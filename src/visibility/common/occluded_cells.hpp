@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/lattice.hpp"
 #include "visibility/common/open_parts.hpp"
 
 namespace ligne {

@@ -256,12 +256,8 @@ void ConvexTree::compile(Task task, const PlaneChoice& options, std::vector<Task
     const std::uint64_t after = count_supports(task.pieces);
     counts_.terminates = counts_.terminates && after < before && after < task.most_supports;
     if (task.pieces.empty()) return;
-    Task inside;
-    inside.pieces = std::move(task.pieces);
-    inside.parent = number;
-    inside.depth = task.depth + 1;
-    inside.seed = scramble(task.seed);
-    open.push_back(std::move(inside));
+    open.push_back(
+        {.pieces = std::move(task.pieces), .parent = number, .depth = task.depth + 1, .seed = scramble(task.seed)});
     return;
   }
   counts_.terminates = counts_.terminates && !task.lies_on_parent;

@@ -89,7 +89,7 @@ class ConvexTree final : public CompiledScene {
     std::uint32_t front = kNone, back = kNone;  ///< `front` of a convex set is the subtree inside it
   };
   struct Task {
-    std::vector<std::uint32_t> pieces;
+    std::vector<std::uint32_t> pieces{};
     std::uint32_t parent = kNone;
     bool front = true;
     std::uint64_t depth = 1, seed = 0;

@@ -24,10 +24,9 @@ double coincidence_steps_of(const ProjectedScene& scene) { return coincidence_mm
 CellGrid::Options grid_options(const ProjectedScene& scene, const Facets& facets, bool hidden_strokes, bool regions,
                                bool see_through) {
   constexpr std::size_t kManyLines = 4;
-  CellGrid::Options options;
-  options.margin_steps = coincidence_steps_of(scene) + 1;
-  options.drop_hidden = !(hidden_strokes && scene.with_intersections);
-  options.see_through = see_through;
+  CellGrid::Options options{.margin_steps = coincidence_steps_of(scene) + 1,
+                            .drop_hidden = !(hidden_strokes && scene.with_intersections),
+                            .see_through = see_through};
   if (!regions && !scene.with_intersections && scene.edges.size() * kManyLines < facets.facets.size())
     options.only_along = &scene.edges;
   return options;

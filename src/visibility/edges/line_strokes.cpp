@@ -169,13 +169,12 @@ void LineStrokes::add_hidden(const PageLine& line, LinePart gap, const Origin& o
 }
 
 Stroke LineStrokes::stroke(const PageLine& line, LinePart part, const Origin& origin, bool visible) const {
-  Stroke s;
-  s.from = point(line, part.from);
-  s.to = point(line, part.to);
-  s.t_from = origin.range[0] + (origin.range[1] - origin.range[0]) * model_parameter(line, part.from);
-  s.t_to = origin.range[0] + (origin.range[1] - origin.range[0]) * model_parameter(line, part.to);
-  s.z_from = static_cast<float>(line.z(part.from));
-  s.z_to = static_cast<float>(line.z(part.to));
+  Stroke s{.t_from = origin.range[0] + (origin.range[1] - origin.range[0]) * model_parameter(line, part.from),
+           .t_to = origin.range[0] + (origin.range[1] - origin.range[0]) * model_parameter(line, part.to),
+           .from = point(line, part.from),
+           .to = point(line, part.to),
+           .z_from = static_cast<float>(line.z(part.from)),
+           .z_to = static_cast<float>(line.z(part.to))};
   if (scene_.view.camera.perspective) {
     s.w_from = static_cast<float>(1 / scene_.magnification(line.z(part.from)));
     s.w_to = static_cast<float>(1 / scene_.magnification(line.z(part.to)));

@@ -114,9 +114,8 @@ class LineGrid {
       const double bottom = std::min<double>(box.bottom, all_.top + (row + 1) * size_);
       double x0 = line[0].x + (top - line[0].y) * slope, x1 = line[0].x + (bottom - line[0].y) * slope;
       if (line[0].y == line[1].y) x0 = box.left, x1 = box.right;
-      LineBox part;
-      part.left = std::max<std::int32_t>(box.left, static_cast<std::int32_t>(std::floor(std::min(x0, x1))) - 1);
-      part.right = std::min<std::int32_t>(box.right, static_cast<std::int32_t>(std::ceil(std::max(x0, x1))) + 1);
+      LineBox part{.left = std::max<std::int32_t>(box.left, static_cast<std::int32_t>(std::floor(std::min(x0, x1))) - 1),
+                   .right = std::min<std::int32_t>(box.right, static_cast<std::int32_t>(std::ceil(std::max(x0, x1))) + 1)};
       part.top = part.bottom =
           static_cast<std::int32_t>(std::clamp<double>(std::floor((top + bottom) / 2), box.top, box.bottom));
       for_cells(part, visit);

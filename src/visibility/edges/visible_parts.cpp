@@ -30,8 +30,7 @@ std::vector<LinePart>& VisibleParts::find(const PageLine& line) {
   });
   if (blank_) blank_->take_from(parts_, line);
   if (only_visible_) {
-    near_side_ = std::any_of(near_.begin(), near_.end(),
-                             [&](std::uint32_t facet) { return has_side_along_part(line, facets_[facet]); });
+    near_side_ = std::ranges::any_of(near_, [&](std::uint32_t facet) { return has_side_along_part(line, facets_[facet]); });
   }
   return parts_;
 }
@@ -135,7 +134,7 @@ void TransparentLines::search_leaf(const PageLine& line, const Cell& cell, const
     events_.push_back({hidden.from, transparent * left, transparent * right, !transparent * left, !transparent * right});
     events_.push_back({hidden.to, -transparent * left, -transparent * right, -!transparent * left, -!transparent * right});
   }
-  std::stable_sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) { return a.t < b.t; });
+  std::ranges::stable_sort(events_, [](const Event& a, const Event& b) { return a.t < b.t; });
   int left = 0, right = 0, hidden_left = 0, hidden_right = 0;
   for (std::size_t i = 0; i + 1 < events_.size(); ++i) {
     left += events_[i].left;

@@ -3,7 +3,6 @@
 /// every u the covered places are any number of intervals of v.
 
 #include <array>
-#include <cstddef>
 #include <vector>
 
 #include "visibility/horizon/envelope.hpp"

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "drawing/drawing.hpp"
-#include "view/tolerances.hpp"
 #include "visibility/horizon/columns.hpp"
 #include "visibility/horizon/edges.hpp"
 #include "visibility/horizon/envelope.hpp"
@@ -47,9 +46,7 @@ class Chains {
   explicit Chains(const Rect& page_mm) { model_.lattice = Lattice::covering(page_mm); }
 
   void add(Point2 a, Point2 b) {
-    Stroke stroke;
-    stroke.from = model_.lattice.snap(a);
-    stroke.to = model_.lattice.snap(b);
+    Stroke stroke{.from = model_.lattice.snap(a), .to = model_.lattice.snap(b)};
     if (!(stroke.from == stroke.to)) model_.strokes.push_back(stroke);
   }
 

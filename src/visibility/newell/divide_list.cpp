@@ -17,8 +17,7 @@ std::vector<PriorityList::OpenSet> PriorityList::cells() {
   all.resize(elements_.size());
   std::iota(all.begin(), all.end(), 0u);
   sets[0].node = add_node(all, 0);
-  std::stable_sort(all.begin(), all.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return elements_.cell(a) > elements_.cell(b); });
+  std::ranges::stable_sort(all, [&](std::uint32_t a, std::uint32_t b) { return elements_.cell(a) > elements_.cell(b); });
   if (all.empty() || elements_.cell(all.front()) == elements_.cell(all.back())) return sets;
   set_division(sets[0], Division::depth);
   std::vector<OpenSet> parts;
@@ -47,7 +46,7 @@ bool PriorityList::decompose(const OpenSet& open, std::vector<OpenSet>& waiting)
   for (const int axis : {2, 0, 1}) {
     check_stop();
     Set by_low = open.set;
-    std::sort(by_low.begin(), by_low.end(), [&](std::uint32_t a, std::uint32_t b) {
+    std::ranges::sort(by_low, [&](std::uint32_t a, std::uint32_t b) {
       return std::pair(elements_[a].extents.low[axis], a) < std::pair(elements_[b].extents.low[axis], b);
     });
     std::vector<Set> parts;

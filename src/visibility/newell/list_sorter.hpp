@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "base/add_counts.hpp"
-#include "base/no_index.hpp"
 #include "visibility/common/facet.hpp"
 #include "visibility/newell/paint_elements.hpp"
 

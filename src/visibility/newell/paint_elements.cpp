@@ -24,7 +24,7 @@ bool has_side_between(std::span<const Point2> a, std::span<const Point2> b, doub
     const Point2 side = a[i + 1 == a.size() ? 0 : i + 1] - a[i];
     const double limit = margin * glm::length(side);
     if (limit == 0) continue;
-    if (std::all_of(b.begin(), b.end(), [&](Point2 p) { return cross(side, p - a[i]) <= limit; })) return true;
+    if (std::ranges::all_of(b, [&](Point2 p) { return cross(side, p - a[i]) <= limit; })) return true;
   }
   return false;
 }
@@ -83,8 +83,7 @@ PaintElements::PaintElements(const ProjectedScene& scene, const EarlierElements*
   for (std::uint32_t piece = 0; piece < count; ++piece) {
     if (!added[piece]) others.push_back(piece);
   }
-  std::stable_sort(others.begin(), others.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return pieces_.face(a) < pieces_.face(b); });
+  std::ranges::stable_sort(others, [&](std::uint32_t a, std::uint32_t b) { return pieces_.face(a) < pieces_.face(b); });
   for (std::size_t i = 0; i < others.size(); ++i) {
     check_stop();
     parts.push_back(others[i]);
@@ -176,7 +175,7 @@ void PaintElements::append(Element element) {
     for (const std::uint32_t part : element.parts) {
       corners.insert(corners.end(), pieces_.corners(part).begin(), pieces_.corners(part).end());
     }
-    std::sort(corners.begin(), corners.end());
+    std::ranges::sort(corners);
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     for (const std::uint32_t corner : corners) element_corners_.push_back(pieces_.point(corner));
   }
@@ -319,7 +318,7 @@ std::vector<std::vector<std::uint32_t>> PaintElements::connected(const std::vect
       sides.emplace_back(side, i);
     }
   }
-  std::sort(sides.begin(), sides.end());
+  std::ranges::sort(sides);
   DisjointSets sets(parts.size());
   for (std::size_t k = 1; k < sides.size(); ++k) {
     if (sides[k].first == sides[k - 1].first) {

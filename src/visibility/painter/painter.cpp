@@ -108,9 +108,7 @@ class PaintedLines {
 
 /// The finished picture: a depth buffer in which the depth of a face is its place in the order.
 PixelModel paint(const ProjectedScene& scene, const PaintSequence& sequence, const VisibilityOptions& options) {
-  ProjectedScene flat;
-  flat.lattice = scene.lattice;
-  flat.view = scene.view;
+  ProjectedScene flat{.lattice = scene.lattice, .view = scene.view};
   for (const Triangle& t : scene.triangles) {
     const std::uint32_t place = sequence.place(t.face);
     if (place == PaintSequence::kNever) continue;
@@ -173,9 +171,7 @@ VisibilityResult painter_visibility(const ProjectedScene& scene, const Visibilit
 
   // 1. Facets.
   const Facets facets = make_facets(scene, coincidence_steps);
-  CellGrid::Options of_grid;
-  of_grid.margin_steps = coincidence_steps + 1;
-  of_grid.drop_hidden = false;
+  CellGrid::Options of_grid{.margin_steps = coincidence_steps + 1, .drop_hidden = false};
   const CellGrid grid(scene, facets.facets, of_grid);
   statistics.time("facets", clock.lap());
 

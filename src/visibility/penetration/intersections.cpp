@@ -316,9 +316,7 @@ std::vector<Intersection> find_intersections(const ProjectedScene& scene, const 
                                              double coincidence_steps, bool hidden_too) {
   if (nothing_penetrates(scene)) return {};
   if (hidden_too) return find_crossing_facets(scene, facets).finish(least_steps(scene));
-  CellGrid::Options options;
-  options.margin_steps = coincidence_steps + 1;
-  options.drop_hidden = true;
+  CellGrid::Options options{.margin_steps = coincidence_steps + 1, .drop_hidden = true};
   return find_intersections(scene, facets, CellGrid(scene, facets, options), options.margin_steps);
 }
 

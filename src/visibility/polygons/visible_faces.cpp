@@ -275,9 +275,7 @@ void add_regions(const Lattice& lattice, std::uint32_t face, std::uint32_t level
                  bool several_pieces, VisibleFaces& out) {
   if (several_pieces) split_at_common_ends(edges);
   for (const ContourFace& piece : link_edges(edges)) {
-    Region region;
-    region.face = face;
-    region.level = level;
+    Region region{.face = face, .level = level};
     for (const EdgeLoop& loop : piece.contours) {
       std::vector<Point2>& contour = region.contours.emplace_back();
       contour.reserve(loop.size());

@@ -9,9 +9,7 @@ EdgeTrack EdgeTrack::between(GridPoint a, GridPoint b, std::uint32_t line_count)
   const auto line_from = [line_count](double v) {
     return static_cast<std::uint32_t>(std::clamp(std::ceil(v), 0.0, double(line_count)));
   };
-  EdgeTrack t;
-  t.first = line_from(a.v);
-  t.last = line_from(b.v);
+  EdgeTrack t{.first = line_from(a.v), .last = line_from(b.v)};
   if (t.first == t.last) {
     t.u = a.u;
     t.z = a.z;

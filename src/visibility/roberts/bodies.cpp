@@ -116,15 +116,12 @@ Place place_of(const PlacedModel& model, std::span<const std::uint32_t> triangle
 /// The part as a separate scene, with new numbers of faces and vertices.
 ProjectedScene scene_of_part(const ProjectedScene& page, std::span<const std::uint32_t> triangles,
                              std::vector<std::uint32_t>& faces) {
-  ProjectedScene part;
-  part.lattice = page.lattice;
-  part.view = page.view;
-  part.input_error_mm = page.input_error_mm;
+  ProjectedScene part{.lattice = page.lattice, .view = page.view, .input_error_mm = page.input_error_mm};
   std::vector<std::uint32_t> vertices;
   vertices.reserve(3 * triangles.size());
   for (const std::uint32_t t : triangles)
     vertices.insert(vertices.end(), page.triangles[t].v.begin(), page.triangles[t].v.end());
-  std::sort(vertices.begin(), vertices.end());
+  std::ranges::sort(vertices);
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   for (const std::uint32_t v : vertices) part.vertices.push_back(page.vertices[v]);
   for (const std::uint32_t t : triangles) {
@@ -178,8 +175,7 @@ FoundPart look_at(const PlacedModel& model, std::span<const std::uint32_t> trian
 }
 
 std::string object_name(const Scene& model, std::uint32_t face) {
-  const auto object =
-      std::find_if(model.objects.begin(), model.objects.end(), [&](const Object& o) { return face < o.face_end; });
+  const auto object = std::ranges::find_if(model.objects, [&](const Object& o) { return face < o.face_end; });
   if (object == model.objects.end()) return "the scene";
   if (!object->name.empty()) return "object \"" + object->name + "\"";
   return "object " + std::to_string(object - model.objects.begin() + 1);

@@ -42,8 +42,7 @@ std::uint32_t AreaSearch::front_at(const Lists& lists, double u, double v) const
     if (e.relation != Relation::surrounder) {
       if (u < face.box.u0 || u > face.box.u1 || v < face.box.v0 || v > face.box.v1) continue;
       const auto facets = table_.facets_of(face);
-      if (std::none_of(facets.begin(), facets.end(),
-                       [&](std::uint32_t id) { return in_facet(table_, (*table_.facets)[id], u, v); }))
+      if (std::ranges::none_of(facets, [&](std::uint32_t id) { return in_facet(table_, (*table_.facets)[id], u, v); }))
         continue;
     }
     const double z = face.z(u, v);
@@ -105,7 +104,7 @@ void AreaSearch::collect(const Lists& lists, const Window& w, std::span<const Pi
     add_segment(table_.frame(line.p0), table_.frame(line.p1), w);
   }
   // Adjacent faces list their common edge twice.
-  std::sort(segments_.begin(), segments_.end(), [](const Segment& a, const Segment& b) {
+  std::ranges::sort(segments_, [](const Segment& a, const Segment& b) {
     return std::tie(a.p.u, a.p.v, a.q.u, a.q.v) < std::tie(b.p.u, b.p.v, b.q.u, b.q.v);
   });
   segments_.erase(std::unique(segments_.begin(), segments_.end(),
@@ -114,7 +113,7 @@ void AreaSearch::collect(const Lists& lists, const Window& w, std::span<const Pi
                               }),
                   segments_.end());
   find_crossings(w);
-  std::sort(events_.begin(), events_.end());
+  std::ranges::sort(events_);
   events_.erase(std::unique(events_.begin(), events_.end()), events_.end());
 }
 
@@ -137,7 +136,7 @@ void AreaSearch::find(const Lists& lists, const Window& w, std::span<const Piece
       const double v = line.v(middle);
       if (v > w.v0 && v < w.v1 && !same_place(v, w.v0) && !same_place(v, w.v1)) crossed.push_back({line, v});
     }
-    std::stable_sort(crossed.begin(), crossed.end(), [](const Crossed& a, const Crossed& b) { return a.v < b.v; });
+    std::ranges::stable_sort(crossed, [](const Crossed& a, const Crossed& b) { return a.v < b.v; });
     crossed.push_back({above, w.v1});
     next.clear();
     AreaPiece piece{u0, u1, below, below, kNone};
@@ -158,9 +157,8 @@ void AreaSearch::find(const Lists& lists, const Window& w, std::span<const Piece
     if (begun) next.push_back(piece);
     // Merges pieces that continue with the same bounds.
     for (AreaPiece& p : next) {
-      const auto before = std::find_if(open.begin(), open.end(), [&](const AreaPiece& o) {
-        return o.face == p.face && o.low == p.low && o.high == p.high;
-      });
+      const auto before = std::ranges::find_if(
+          open, [&](const AreaPiece& o) { return o.face == p.face && o.low == p.low && o.high == p.high; });
       if (before == open.end()) continue;
       p.u0 = before->u0;
       open.erase(before);

@@ -113,9 +113,8 @@ void Outcome::add(Outcome&& o) {
 
 Division divide(const FaceTable& table, const Lists& lists, const Window& w, const Rules& rules) {
   const double least = std::max(rules.limit, 1.0);
-  Division d;
-  d.across = w.width() > least && w.width() * kSlender > w.height();
-  d.down = w.height() > least && w.height() * kSlender > w.width();
+  Division d{.across = w.width() > least && w.width() * kSlender > w.height(),
+             .down = w.height() > least && w.height() * kSlender > w.width()};
   const FramePoint centre{std::floor((w.u0 + w.u1) / 2), std::floor((w.v0 + w.v1) / 2)};
   if (rules.split == SplitChoice::side) {
     const CutsAlongSides cuts = sides_in_the_way(table, lists, w, centre);

@@ -117,10 +117,7 @@ DepthRange Face::depths_over(const ConvexWindow& window, double margin) const {
 }
 
 FaceTable make_faces(const ProjectedScene& scene, const std::vector<Facet>& facets, const WindowFrame& frame) {
-  FaceTable table;
-  table.facets = &facets;
-  table.vertices = &scene.vertices;
-  table.frame = frame;
+  FaceTable table{.facets = &facets, .vertices = &scene.vertices, .frame = frame};
   // Faces are in the order of their first facets. Facets are grouped by face and keep their order in each.
   std::uint32_t face_count = 0;
   for (const Facet& f : facets) face_count = std::max(face_count, f.face + 1);

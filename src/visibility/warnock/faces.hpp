@@ -40,13 +40,13 @@ struct Face {
 };
 
 struct FaceTable {
-  std::vector<Face> faces;  ///< in the order of their first facets: faces adjacent on the page lie close together
-  std::vector<std::uint32_t> by_depth;     ///< indices of faces, sorted by z_near, then by face number
-  std::vector<std::uint32_t> facet_order;  ///< facets grouped by face
-  std::vector<Side> sides;
+  std::vector<Face> faces{};  ///< in the order of their first facets: faces adjacent on the page lie close together
+  std::vector<std::uint32_t> by_depth{};     ///< indices of faces, sorted by z_near, then by face number
+  std::vector<std::uint32_t> facet_order{};  ///< facets grouped by face
+  std::vector<Side> sides{};
   const std::vector<Facet>* facets = nullptr;
   const std::vector<ProjectedVertex>* vertices = nullptr;
-  WindowFrame frame;
+  WindowFrame frame{};
 
   std::span<const Side> sides_of(const Face& f) const { return {sides.data() + f.side_begin, sides.data() + f.side_end}; }
   std::span<const std::uint32_t> facets_of(const Face& f) const {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "drawing/result_models.hpp"
-#include "view/projected_scene.hpp"
 #include "visibility/warnock/areas.hpp"
 
 namespace ligne::warnock {

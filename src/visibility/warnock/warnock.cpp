@@ -84,8 +84,7 @@ LineVisibility parts_of_lines(const PartsByLine& sorted) {
   return
       [&sorted, of_line = std::vector<FoundPart>()](std::size_t i, const PageLine&, std::vector<LinePart>& parts) mutable {
         of_line.assign(sorted[i].begin(), sorted[i].end());
-        std::sort(of_line.begin(), of_line.end(),
-                  [](const FoundPart& a, const FoundPart& b) { return a.part.from < b.part.from; });
+        std::ranges::sort(of_line, [](const FoundPart& a, const FoundPart& b) { return a.part.from < b.part.from; });
         bool near_side = false;
         for (const FoundPart& p : of_line) {
           append_part(parts, p.part);

@@ -36,7 +36,7 @@ void LineScan::sort_by_vertex() {
   const auto sort = [this](std::vector<std::uint32_t>& slots, auto vertex_of) {
     by_vertex_.clear();
     for (const std::uint32_t slot : slots) by_vertex_.push_back({vertex_of(scene_.edges[slots_[slot].edge]), slot});
-    std::sort(by_vertex_.begin(), by_vertex_.end());
+    std::ranges::sort(by_vertex_);
     for (std::size_t i = 0; i < slots.size(); ++i) slots[i] = by_vertex_[i].second;
   };
   sort(ended_, [](const ScanEdge& e) { return e.bottom; });
@@ -152,9 +152,8 @@ bool LineScan::vertex_matters(std::uint32_t line, std::span<const std::uint32_t>
 bool LineScan::bounds_a_penetration(std::uint32_t slot) const {
   if (penetrating_.empty()) return false;
   const std::span<const std::uint32_t> faces = scene_.faces_of(scene_.edges[slots_[slot].edge]);
-  return std::any_of(faces.begin(), faces.end(), [this](std::uint32_t f) {
-    return std::find(penetrating_.begin(), penetrating_.end(), f) != penetrating_.end();
-  });
+  return std::ranges::any_of(faces,
+                             [this](std::uint32_t f) { return std::ranges::find(penetrating_, f) != penetrating_.end(); });
 }
 
 /// True if all edges that enter at a vertex lie inside one span, behind its face.

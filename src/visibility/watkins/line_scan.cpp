@@ -312,9 +312,7 @@ std::uint32_t LineScan::penetration_edge(const VisibleSpan& left, const VisibleS
   }
   bends_ = bends_ || scene_.is_skew(f) || scene_.is_skew(g);
   if (prepared_) return any_slot_;
-  EdgeTrack track;
-  track.u = left.x1;
-  track.last = kNone;
+  EdgeTrack track{.u = left.x1, .last = kNone};
   const GridPlane &p = scene_.planes[f], &q = scene_.planes[g];
   const double step = (q.zv - p.zv) / (p.zu - q.zu);
   // Otherwise vertical: parallel planes of faces that are not quite planar, or a curve, which the next study follows.

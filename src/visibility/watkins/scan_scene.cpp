@@ -51,9 +51,8 @@ std::vector<ScanEdge> make_edges(ScanScene& result, const std::vector<ProjectedV
     const std::span<const SegmentUse> uses = sides[v];
     const auto end = uses.end();
     for (auto use = uses.begin(); use != end;) {
-      ScanEdge edge;
-      edge.faces_begin = static_cast<std::uint32_t>(result.edge_faces.size());
-      edge.lines_begin = static_cast<std::uint32_t>(result.edge_lines.size());
+      ScanEdge edge{.faces_begin = static_cast<std::uint32_t>(result.edge_faces.size()),
+                    .lines_begin = static_cast<std::uint32_t>(result.edge_lines.size())};
       const std::uint32_t other = use->other;
       while (use != end && use->other == other) {
         if (use->line) {

@@ -53,7 +53,7 @@ class FaceOrders {
 
 /// An edge of faces, or a candidate line, or both.
 struct ScanEdge {
-  EdgeTrack track;
+  EdgeTrack track{};
   std::uint32_t top = 0, bottom = 0;  ///< vertices of the scene
   double u_top = 0, v_top = 0, u_bottom = 0, v_bottom = 0;
   std::uint32_t faces_begin = 0, faces_end = 0;  ///< range in ScanScene::edge_faces

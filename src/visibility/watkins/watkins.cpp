@@ -176,9 +176,7 @@ void WatkinsStudy::edge_visibility() {
 /// The cells for the lines of scans that gave up.
 const CellGrid& WatkinsStudy::cells_to_search() {
   if (!searched_) {
-    CellGrid::Options options;
-    options.margin_steps = exact_options_.coincidence_steps + 1;
-    options.drop_hidden = cells_.has_value();
+    CellGrid::Options options{.margin_steps = exact_options_.coincidence_steps + 1, .drop_hidden = cells_.has_value()};
     searched_.emplace(scene_, facets_.facets, options);
   }
   return *searched_;

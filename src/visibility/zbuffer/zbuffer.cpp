@@ -226,9 +226,7 @@ std::vector<Facet> facets_in_front(const ProjectedScene& scene, const DepthBuffe
 std::vector<Intersection> intersections_of(const ProjectedScene& scene, const DepthBuffer& buffer, const Facets& facets,
                                            double coincidence_steps, bool hidden_too) {
   if (!scene.with_intersections) return {};
-  CellGrid::Options options;
-  options.margin_steps = coincidence_steps + 1;
-  options.drop_hidden = !hidden_too;
+  CellGrid::Options options{.margin_steps = coincidence_steps + 1, .drop_hidden = !hidden_too};
   const std::vector<Facet> searched = hidden_too ? facets.facets : facets_in_front(scene, buffer, facets.facets);
   return find_intersections(scene, searched, CellGrid(scene, searched, options), options.margin_steps);
 }

@@ -1,7 +1,6 @@
 #pragma once
 /// Chains of edges along the border of a surface.
 
-#include <compare>
 #include <cstdint>
 #include <span>
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "scene/patches/facet_graph.hpp"
-#include "scene/patches/patch_surface.hpp"
 
 namespace ligne {
 

@@ -173,10 +173,9 @@ std::optional<SeamSection> SeamSections::at(std::uint32_t e) const {
   if (!quadric) return std::nullopt;
   // The last coefficients are the curvatures before and behind the edge.
   const std::size_t first = depths[0] < 0 ? 5 : 6;
-  SeamSection section;
-  section.curvatures = {(*quadric)[first] / size, (*quadric)[11 - first] / size};
-  section.depths = {std::abs(depths[0]), std::abs(depths[1])};
-  section.error = error_of(*quadric, places) * size;
+  SeamSection section{.curvatures = {(*quadric)[first] / size, (*quadric)[11 - first] / size},
+                      .depths = {std::abs(depths[0]), std::abs(depths[1])},
+                      .error = error_of(*quadric, places) * size};
   if (section.curvatures[section.round_side()] == 0) return std::nullopt;
   return section;
 }

@@ -1,9 +1,6 @@
 #pragma once
 /// Strips of long triangles between two curves, as tessellators make of ruled surfaces.
 
-#include <cstdint>
-#include <glm/vec3.hpp>
-#include <span>
 #include <vector>
 
 #include "scene/model/scene.hpp"

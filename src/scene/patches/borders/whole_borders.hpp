@@ -2,7 +2,6 @@
 /// Decides edges that their own two sides leave open: the whole border of a patch decides them.
 
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <span>
 #include <utility>
 #include <vector>
 

@@ -204,7 +204,7 @@ std::size_t SurfaceSearch::angles_of(const PatchSurface& surface, bool about_cir
     numbers_.push_back(about_circle ? std::atan2(place.along, place.radius - surface.radius)
                                     : std::atan2(glm::dot(place.out, v), glm::dot(place.out, u)));
   }
-  std::sort(numbers_.begin(), numbers_.end());
+  std::ranges::sort(numbers_);
   std::size_t count = numbers_.front() + kTurn - numbers_.back() > kSameAngle;
   for (std::size_t i = 1; i < numbers_.size(); ++i) count += numbers_[i] - numbers_[i - 1] > kSameAngle;
   return count;
@@ -281,11 +281,10 @@ bool SurfaceSearch::may_go_on(const PatchSurface& surface, std::span<const std::
 bool SurfaceSearch::goes_on(const PatchCandidate& c) {
   ++round_;
   for (const std::uint32_t f : c.facets) stamp_[f] = round_;
-  return std::any_of(c.facets.begin(), c.facets.end(), [&](std::uint32_t f) {
+  return std::ranges::any_of(c.facets, [&](std::uint32_t f) {
     const auto arcs = graph_.arcs_of(f);
-    return std::any_of(arcs.begin(), arcs.end(), [&](const FacetGraph::Arc& arc) {
-      return stamp_[arc.facet] != round_ && is_left_and_may_curve(arc.facet);
-    });
+    return std::ranges::any_of(
+        arcs, [&](const FacetGraph::Arc& arc) { return stamp_[arc.facet] != round_ && is_left_and_may_curve(arc.facet); });
   });
 }
 

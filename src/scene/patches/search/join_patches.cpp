@@ -161,16 +161,15 @@ bool PatchFinder::merge_patches(const std::vector<Patch>& patches, const std::ve
   }
   std::vector<std::uint32_t> order(patches.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t l, std::uint32_t r) { return facets[l].size() > facets[r].size(); });
+  std::ranges::stable_sort(order, [&](std::uint32_t l, std::uint32_t r) { return facets[l].size() > facets[r].size(); });
   bool is_merged = false;
   const auto try_to_merge = [&](std::uint32_t p, std::uint32_t q) {
     if (p == kNone || q == kNone || q == p || facets[q].size() > facets[p].size()) return;
     const PatchSurface& surface = patches[p].surface;
     const auto lie_on_p = [&](double tolerance, double most_sags) {
       forget_looks();
-      return std::all_of(core[q].begin(), core[q].end(),
-                         [&](std::uint32_t f) { return lies_on(patches[p], f, tolerance, kSlantingCosine, most_sags); });
+      return std::ranges::all_of(
+          core[q], [&](std::uint32_t f) { return lies_on(patches[p], f, tolerance, kSlantingCosine, most_sags); });
     };
     if (!lie_on_p(kMergedSags * patches[p].sag, kMostSags) &&
         !lie_on_p(tolerance_for(surface.kind, patches[p].sag), kMergedRowSags))

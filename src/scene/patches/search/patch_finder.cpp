@@ -75,9 +75,7 @@ bool PatchFinder::goes_over(const Patch& patch, std::vector<std::uint32_t> facet
   if (patch.surface.kind == SurfaceKind::sphere || std::ranges::all_of(points_, is_exact)) return false;
   const auto is_at_border = [&](std::uint32_t f) { return at_border_[f] != 0; };
   if (!at_border_.empty() && std::ranges::any_of(facets, is_at_border)) return true;
-  PatchCandidate c;
-  c.patch = patch;
-  c.facets = std::move(facets);
+  PatchCandidate c{.patch = patch, .facets = std::move(facets)};
   for (const std::uint32_t f : c.facets) c.area += graph_.area[f];
   return !ends_within(c, std::max(patch.sag, rounding));
 }

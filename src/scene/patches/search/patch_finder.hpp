@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "base/no_index.hpp"
 #include "scene/patches/search/surface_search.hpp"
 
 namespace ligne {

@@ -17,8 +17,8 @@ namespace ligne {
 
 /// A fitted surface with the facets that lie on it.
 struct PatchCandidate {
-  Patch patch;
-  std::vector<std::uint32_t> facets;
+  Patch patch{};
+  std::vector<std::uint32_t> facets{};
   double area = 0;           ///< of the facets
   bool must_spread = false;  ///< whether it needs kSpread times as many facets as its sample
   double residual = 0;       ///< largest distance of a corner of the facets from the surface, model units

@@ -160,10 +160,8 @@ class ExtrudedFinder {
   }
 
   void make_patches(const std::vector<std::uint32_t>& facets, const Point3& direction) {
-    PatchSurface frame;
-    frame.kind = SurfaceKind::extruded;
-    frame.axis = direction;
-    frame.at = object_.scene.vertices[graph_.vertices[facets[0]][0]];
+    PatchSurface frame{
+        .kind = SurfaceKind::extruded, .at = object_.scene.vertices[graph_.vertices[facets[0]][0]], .axis = direction};
     const std::array<Point3, 2> xy = frame_of(direction);
     std::unordered_map<std::uint32_t, std::size_t> counts;
     for (const std::uint32_t f : facets) ++counts[surfaces_.patch_of[f]];

@@ -2,7 +2,6 @@
 /// Plane curves through given points: the profiles of extruded and revolved surfaces.
 
 #include <cstddef>
-#include <cstdint>
 #include <glm/geometric.hpp>
 #include <vector>
 

@@ -100,12 +100,11 @@ std::size_t target_count(const tinygltf::Model& model, const tinygltf::Node& nod
 
 Keys read_keys(GltfDocument& document, const tinygltf::AnimationSampler& sampler, std::size_t width, bool is_scalar,
                const std::string& place) {
-  Keys keys;
-  keys.width = width;
-  keys.is_step = sampler.interpolation == "STEP";
-  keys.is_cubic = sampler.interpolation == "CUBICSPLINE";
-  keys.times = read_values(document, static_cast<std::size_t>(sampler.input), 1);
-  keys.values = read_values(document, static_cast<std::size_t>(sampler.output), is_scalar ? 1 : width);
+  Keys keys{.times = read_values(document, static_cast<std::size_t>(sampler.input), 1),
+            .values = read_values(document, static_cast<std::size_t>(sampler.output), is_scalar ? 1 : width),
+            .width = width,
+            .is_step = sampler.interpolation == "STEP",
+            .is_cubic = sampler.interpolation == "CUBICSPLINE"};
   const std::size_t needed = keys.times.size() * width * (keys.is_cubic ? 3 : 1);
   if (keys.times.empty()) document.fail(place, "has no keys");
   if (keys.values.size() != needed) {

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
 #include "geometry/point.hpp"

@@ -39,8 +39,7 @@ constexpr std::array<std::string_view, 2> kLightPrefixes{"KHR_lights_", "EXT_lig
 
 template <class Prefixes>
 bool begins_with_one(std::string_view extension, const Prefixes& prefixes) {
-  return std::any_of(prefixes.begin(), prefixes.end(),
-                     [&](std::string_view prefix) { return extension.starts_with(prefix); });
+  return std::ranges::any_of(prefixes, [&](std::string_view prefix) { return extension.starts_with(prefix); });
 }
 
 bool is_read(std::string_view extension) { return std::ranges::find(kRead, extension) != kRead.end(); }

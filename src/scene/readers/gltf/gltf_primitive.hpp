@@ -17,11 +17,11 @@ namespace ligne {
 /// A primitive whose data were checked to exist.
 struct GltfPrimitive {
   std::size_t position_accessor = 0;
-  GltfAccessor positions;               ///< unused with Draco
-  std::optional<GltfAccessor> indices;  ///< without: the positions in order
-  std::optional<GltfAccessor> normals;  ///< one per position, if requested
+  GltfAccessor positions{};               ///< unused with Draco
+  std::optional<GltfAccessor> indices{};  ///< without: the positions in order
+  std::optional<GltfAccessor> normals{};  ///< one per position, if requested
   const DracoMesh* draco = nullptr;
-  GltfDeformation deformation;
+  GltfDeformation deformation{};
   int mode = TINYGLTF_MODE_TRIANGLES;
   int material = -1;
 

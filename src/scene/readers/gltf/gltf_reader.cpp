@@ -100,10 +100,9 @@ class Reader {
   }
 
   GltfPrimitive open_primitive(const tinygltf::Primitive& from) {
-    GltfPrimitive p;
-    p.mode = from.mode;
-    p.material = from.material;
-    p.position_accessor = static_cast<std::size_t>(from.attributes.at("POSITION"));
+    GltfPrimitive p{.position_accessor = static_cast<std::size_t>(from.attributes.at("POSITION")),
+                    .mode = from.mode,
+                    .material = from.material};
     const auto draco = from.extensions.find(kDracoExtension);
     if (draco != from.extensions.end()) {
       p.draco = &decode(draco->second);

@@ -138,9 +138,7 @@ class ThreeDsReader {
   }
 
   void read_camera(ChunkReader& chunk, const std::string& name) {
-    SceneCamera camera;
-    camera.name = name;
-    camera.eye = chunk.take_point();
+    SceneCamera camera{.name = name, .eye = chunk.take_point()};
     camera.forward = chunk.take_point() - camera.eye;
     const double bank = chunk.take_float();
     set_lens(camera, chunk.take_float());

@@ -143,10 +143,7 @@ std::vector<char> broken_cells(const HeightSource& heights, const HeightFunction
 }
 
 SurfaceMesh make_cut_mesh(const SurfacePoints& surface, const HeightSource& heights, const HeightWindow& window) {
-  SurfaceMesh mesh;
-  mesh.name = surface.name;
-  mesh.from_formula = surface.from_formula;
-  mesh.vertices = surface.points;
+  SurfaceMesh mesh{.name = surface.name, .from_formula = surface.from_formula, .vertices = surface.points};
   const double range = span_of_samples(heights, window).range();
   const BrokenEdges broken = find_broken_edges(heights, *surface.function, window, range);
   const CellContours cells(surface, window, range, broken.edges, mesh.vertices);

@@ -89,8 +89,7 @@ class ArraySurface {
   }
 
   const DataArray* find(std::string_view name) const {
-    const auto found =
-        std::find_if(arrays_.begin(), arrays_.end(), [&](const DataArray& a) { return equal_ignoring_case(a.name, name); });
+    const auto found = std::ranges::find_if(arrays_, [&](const DataArray& a) { return equal_ignoring_case(a.name, name); });
     return found == arrays_.end() ? nullptr : &*found;
   }
   const DataArray& chosen(const std::string& name) const {
@@ -115,7 +114,7 @@ class ArraySurface {
       if (is_matrix(array) && !role.x && !role.y && !is_bounds(array)) matrices.push_back(&array);
     }
     if (!z && matrices.empty()) {
-      const auto any = std::find_if(arrays_.begin(), arrays_.end(), is_matrix);
+      const auto any = std::ranges::find_if(arrays_, is_matrix);
       if (any != arrays_.end()) z = &*any;
     }
     for (const DataArray* array : matrices) {
@@ -187,7 +186,7 @@ class ArraySurface {
 
   void leave_out_others(std::initializer_list<const DataArray*> used) {
     for (const DataArray& array : arrays_) {
-      if (std::find(used.begin(), used.end(), &array) != used.end() || array.shape.empty()) continue;
+      if (std::ranges::find(used, &array) != used.end() || array.shape.empty()) continue;
       warnings_.leave_out("array (" + shown_name(array) + ")");
     }
   }

@@ -152,10 +152,7 @@ RasterPlacement placed_rows(GDALDatasetH dataset, std::size_t columns, std::size
                             Warnings& warnings) {
   std::array<double, 6> t{};
   if (GDALGetGeoTransform(dataset, t.data()) != CE_None) return count_raster(columns, rows);
-  RasterTransform transform;
-  transform.at = {t[0], t[3]};
-  transform.per_column = {t[1], t[4]};
-  transform.per_row = {t[2], t[5]};
+  RasterTransform transform{.at = {t[0], t[3]}, .per_column = {t[1], t[4]}, .per_row = {t[2], t[5]}};
   std::optional<RasterPlacement> placement = place_raster(transform, columns, rows);
   if (!placement || std::abs(placement->order.step_x) != 1) {
     throw InputError(name, "its rows do not run east; rotate it with gdalwarp first");

@@ -41,9 +41,8 @@ bool are_polygons(const PointRows& rows) {
   std::vector<std::array<double, 3>> places;
   for (std::size_t row = 0; row < count; ++row)
     places.push_back({rows.values[3 * row], rows.values[3 * row + 1], rows.values[3 * row + 2]});
-  if (std::any_of(places.begin(), places.end(), [](const auto& p) { return !std::isfinite(p[0] + p[1] + p[2]); }))
-    return false;
-  std::sort(places.begin(), places.end());
+  if (std::ranges::any_of(places, [](const auto& p) { return !std::isfinite(p[0] + p[1] + p[2]); })) return false;
+  std::ranges::sort(places);
   const auto different = std::unique(places.begin(), places.end()) - places.begin();
   return static_cast<double>(different) <= kPlacesOfPolygons * static_cast<double>(count);
 }

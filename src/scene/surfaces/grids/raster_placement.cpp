@@ -119,12 +119,7 @@ std::optional<RasterTransform> read_world_file(const std::filesystem::path& pict
     return std::nullopt;
   }
   const std::vector<double>& n = *numbers;
-  RasterTransform transform;
-  transform.per_column = {n[0], n[1]};
-  transform.per_row = {n[2], n[3]};
-  transform.at = {n[4], n[5]};
-  transform.sample_at = 0;
-  return transform;
+  return RasterTransform{.at = {n[4], n[5]}, .per_column = {n[0], n[1]}, .per_row = {n[2], n[3]}, .sample_at = 0};
 }
 
 }  // namespace ligne

@@ -84,22 +84,19 @@ void join_parts(std::vector<GroupResult>& groups, std::size_t line_count, LineSt
 
 LineGrid grid_of(const ProjectedScene& scene, const SpanLines& lines, bool whole) {
   const double step = scene.lattice.step_mm;
-  LineGrid grid;
-  grid.count = lines.count;
-  grid.whole = whole;
-  grid.spacing = lines.spacing_mm / step;
-  grid.u_origin = (scene.view.window.min.x - scene.lattice.origin_mm.x) / step;
-  grid.v_origin = (lines.first_mm - scene.lattice.origin_mm.y) / step;
-  return grid;
+  return {.u_origin = (scene.view.window.min.x - scene.lattice.origin_mm.x) / step,
+          .v_origin = (lines.first_mm - scene.lattice.origin_mm.y) / step,
+          .spacing = lines.spacing_mm / step,
+          .count = lines.count,
+          .whole = whole};
 }
 
 LineGrid grid_of_lines(const ProjectedScene& scene, std::uint32_t count, bool whole) {
   const Rect& window = scene.view.window;
-  LineGrid grid;
-  grid.count = count;
-  grid.whole = whole;
-  grid.spacing = window.height() / scene.lattice.step_mm / count;
-  grid.u_origin = (window.min.x - scene.lattice.origin_mm.x) / scene.lattice.step_mm;
+  LineGrid grid{.u_origin = (window.min.x - scene.lattice.origin_mm.x) / scene.lattice.step_mm,
+                .spacing = window.height() / scene.lattice.step_mm / count,
+                .count = count,
+                .whole = whole};
   grid.v_origin = (window.min.y - scene.lattice.origin_mm.y) / scene.lattice.step_mm + grid.spacing / 2;
   return grid;
 }

@@ -35,7 +35,7 @@ PipelineTimes scan_in_two_tasks(LineScan& preparing, LineScan& studying, std::ui
                                 std::uint32_t ahead);
 
 struct LineStudyOptions {
-  ScanOptions scan;
+  ScanOptions scan{};
   double coincidence_steps = 0;
   bool track = true;  ///< computes the hidden parts of the lines
   bool collect_spans = false;

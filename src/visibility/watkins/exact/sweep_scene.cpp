@@ -24,13 +24,12 @@ void add_edges(const ListsOf<SegmentUse>& by_point, SweepScene& scene) {
     scene.first_start[p] = static_cast<std::uint32_t>(scene.edges.size());
     const std::span<const SegmentUse> uses = by_point[p];
     for (std::size_t i = 0; i < uses.size();) {
-      SweepEdge edge;
-      edge.top_point = static_cast<std::uint32_t>(p);
-      edge.bottom_point = uses[i].other;
-      edge.top = scene.points[p];
-      edge.bottom = scene.points[uses[i].other];
-      edge.facets_begin = static_cast<std::uint32_t>(scene.edge_facets.size());
-      edge.lines_begin = static_cast<std::uint32_t>(scene.edge_lines.size());
+      SweepEdge edge{.top = scene.points[p],
+                     .bottom = scene.points[uses[i].other],
+                     .top_point = static_cast<std::uint32_t>(p),
+                     .bottom_point = uses[i].other,
+                     .facets_begin = static_cast<std::uint32_t>(scene.edge_facets.size()),
+                     .lines_begin = static_cast<std::uint32_t>(scene.edge_lines.size())};
       const std::uint32_t bottom = uses[i].other;
       for (; i < uses.size() && uses[i].other == bottom; ++i) {
         (uses[i].line ? scene.edge_lines : scene.edge_facets).push_back(uses[i].index);

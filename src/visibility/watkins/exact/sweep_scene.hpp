@@ -27,7 +27,7 @@ inline double side(LatticePoint top, LatticePoint bottom, LatticePoint q) { retu
 
 /// A segment of the page that bounds facets, or is a candidate line, or both. Segments with equal ends are one edge.
 struct SweepEdge {
-  LatticePoint top, bottom;
+  LatticePoint top{}, bottom{};
   std::uint32_t top_point = 0, bottom_point = 0;   ///< indices of its points
   std::uint32_t facets_begin = 0, facets_end = 0;  ///< range in SweepScene::edge_facets
   std::uint32_t lines_begin = 0, lines_end = 0;    ///< range in SweepScene::edge_lines

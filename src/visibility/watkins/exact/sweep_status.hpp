@@ -30,9 +30,7 @@ inline void toggle(Cover& cover, std::uint32_t facet) {
   cover.push_back(facet);
 }
 
-inline bool contains(const Cover& cover, std::uint32_t facet) {
-  return std::find(cover.begin(), cover.end(), facet) != cover.end();
-}
+inline bool contains(const Cover& cover, std::uint32_t facet) { return std::ranges::find(cover, facet) != cover.end(); }
 
 struct SweepNode {
   LatticePoint top, bottom;  ///< ends of one of its edges that extends beyond the scan line
