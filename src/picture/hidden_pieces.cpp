@@ -34,10 +34,10 @@ class HiddenSamples {
       }
     }
     if (!runs_.empty()) return false;
-    const auto first = static_cast<std::uint32_t>(std::clamp(std::floor(low_v_), 0.0, rows_ - 1.0));
-    const auto last = static_cast<std::uint32_t>(std::clamp(std::ceil(high_v_), 0.0, rows_ - 1.0));
+    const auto first = static_cast<std::uint32_t>(std::clamp(std::floor(box_.min.y), 0.0, rows_ - 1.0));
+    const auto last = static_cast<std::uint32_t>(std::clamp(std::ceil(box_.max.y), 0.0, rows_ - 1.0));
     for (std::uint32_t row = first; row <= last; ++row) {
-      if (any_open(row, std::floor(low_u_), std::ceil(high_u_))) return true;
+      if (any_open(row, std::floor(box_.min.x), std::ceil(box_.max.x))) return true;
     }
     return false;
   }
@@ -56,16 +56,12 @@ class HiddenSamples {
   void find_runs(const PaintPiece& piece) {
     scan_.begin(0, rows_);
     runs_.clear();
-    low_u_ = low_v_ = 1e300;
-    high_u_ = high_v_ = -1e300;
+    box_ = {};
     for (const std::vector<Point2>& contour : piece.contours) {
       for (std::size_t i = 0; i < contour.size(); ++i) {
         const GridPoint a = grid_point(contour[i]);
         scan_.add(a, grid_point(contour[i + 1 == contour.size() ? 0 : i + 1]));
-        low_u_ = std::min(low_u_, a.u);
-        high_u_ = std::max(high_u_, a.u);
-        low_v_ = std::min(low_v_, a.v);
-        high_v_ = std::max(high_v_, a.v);
+        box_.extend({a.u, a.v});
       }
     }
     scan_.scan([&](const PolygonRun& run) { runs_.push_back(run); });
@@ -100,7 +96,7 @@ class HiddenSamples {
   std::vector<std::uint64_t> bits_;
   PolygonScan scan_;
   std::vector<PolygonRun> runs_;
-  double low_u_ = 0, low_v_ = 0, high_u_ = 0, high_v_ = 0;
+  Rect box_;  ///< of the piece last passed to shows(), in steps
 };
 
 }  // namespace
@@ -118,14 +114,8 @@ std::vector<std::uint8_t> find_hidden_pieces(const PaintOrder& order, const Rect
 
 std::size_t drop_hidden_pieces(PaintOrder& order, const Rect& page, const std::function<bool(std::uint32_t)>& is_opaque) {
   const std::vector<std::uint8_t> is_hidden = find_hidden_pieces(order, page, is_opaque);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < is_hidden.size(); ++i) {
-    if (is_hidden[i]) continue;
-    if (kept != i) order.pieces[kept] = std::move(order.pieces[i]);
-    ++kept;
-  }
-  order.pieces.resize(kept);
-  return is_hidden.size() - kept;
+  const PaintPiece* const first = order.pieces.data();
+  return std::erase_if(order.pieces, [&](const PaintPiece& piece) { return is_hidden[std::size_t(&piece - first)] != 0; });
 }
 
 }  // namespace ligne

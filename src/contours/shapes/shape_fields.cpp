@@ -8,6 +8,7 @@
 
 #include "base/no_index.hpp"
 #include "base/parallel.hpp"
+#include "scene/model/bounds.hpp"
 
 namespace ligne {
 namespace {
@@ -47,12 +48,7 @@ int outward_of(const Scene& scene, const Topology& topology, const Object& objec
 ObjectShape shape_of(const Scene& scene, const Topology& topology, const Object& object) {
   ObjectShape shape;
   if (object.vertex_begin == object.vertex_end) return shape;
-  Point3 low(1e300), high(-1e300);
-  for (std::uint32_t v = object.vertex_begin; v < object.vertex_end; ++v) {
-    low = glm::min(low, scene.vertices[v]);
-    high = glm::max(high, scene.vertices[v]);
-  }
-  shape.size = glm::length(high - low);
+  shape.size = object_size(scene, object);
   std::vector<double> edges;
   const auto [edge_begin, edge_end] = edges_of(topology, object);
   for (std::uint32_t e = edge_begin; e < edge_end; ++e) {
@@ -72,10 +68,7 @@ ObjectShape shape_of(const Scene& scene, const Topology& topology, const Object&
 std::vector<std::uint32_t> objects_of_nodes(const Scene& scene, const FormMesh& mesh) {
   std::vector<std::uint32_t> objects;
   objects.reserve(mesh.vertex.size());
-  for (const std::uint32_t v : mesh.vertex) {
-    const auto after = std::ranges::upper_bound(scene.objects, v, {}, &Object::vertex_begin);
-    objects.push_back(static_cast<std::uint32_t>(after - scene.objects.begin()) - 1);
-  }
+  for (const std::uint32_t v : mesh.vertex) objects.push_back(static_cast<std::uint32_t>(object_of_vertex(scene, v)));
   return objects;
 }
 

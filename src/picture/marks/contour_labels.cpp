@@ -1,6 +1,6 @@
 // Labels lines from the longest to the shortest. Divides each into stretches of equal length, and gives each stretch
-// the best free place, tried at distances of half a capital. A place costs the more, the more the line bends there, the
-// steeper the text is, and and the more of the thinner lines have to be cut.
+// the best free place, tried at distances of half a capital. The cost of a place grows with the bend of the line, the
+// steepness of the text and the length of the thinner lines that it cuts.
 
 #include "picture/marks/contour_labels.hpp"
 
@@ -13,8 +13,10 @@
 #include <numeric>
 #include <optional>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/indices_where.hpp"
 #include "picture/marks/box_grid.hpp"
 #include "picture/marks/halos.hpp"
 #include "view/axes/ticks.hpp"
@@ -45,6 +47,8 @@ Rect bounds(const TextBox& box) {
   for (const Point2 p : box.corners()) rect.extend(p);
   return rect;
 }
+
+Rect bounds(Point2 a, Point2 b) { return {glm::min(a, b), glm::max(a, b)}; }
 
 /// The part of the segment that is inside the box, as fractions.
 std::optional<std::array<double, 2>> inside(const TextBox& box, Point2 a, Point2 b) {
@@ -103,12 +107,8 @@ class Labelling {
   }
 
   std::vector<TextItem> run() {
-    std::vector<std::uint32_t> order;
-    for (std::uint32_t i = 0; i < lines_.size(); ++i) {
-      if (lines_[i].labelled) order.push_back(i);
-    }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return lines_[a].length() > lines_[b].length(); });
+    std::vector<std::uint32_t> order = indices_where(lines_.size(), [&](std::size_t i) { return lines_[i].labelled; });
+    std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::uint32_t i) { return lines_[i].length(); });
     for (const std::uint32_t i : order) label(i);
     agree_directions();
     return std::move(labels_);
@@ -165,10 +165,7 @@ void Labelling::collect_line(std::span<const Point2> points, Line line) {
   if (points.size() < 2) return;
   for (std::size_t k = 1; k < points.size(); ++k) {
     line.at.push_back(line.at.back() + glm::distance(points[k - 1], points[k]));
-    Rect box;
-    box.extend(points[k - 1]);
-    box.extend(points[k]);
-    segments_.add(box, static_cast<std::uint32_t>(all_segments_.size()));
+    segments_.add(bounds(points[k - 1], points[k]), static_cast<std::uint32_t>(all_segments_.size()));
     all_segments_.push_back({static_cast<std::uint32_t>(lines_.size()), static_cast<std::uint32_t>(k - 1)});
   }
   lines_.push_back(std::move(line));
@@ -179,7 +176,7 @@ void Labelling::agree_directions() {
   std::vector<std::size_t> order(labels_.size());
   std::iota(order.begin(), order.end(), 0);
   const auto steepness = [&](std::size_t i) { return std::abs(labels_[i].rotation_degrees); };
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return steepness(a) < steepness(b); });
+  std::ranges::stable_sort(order, {}, steepness);
   const double reach = kNeighbourReach * options_.height_mm;
   BoxGrid done(reach);
   for (const std::size_t k : order) {
@@ -330,11 +327,8 @@ Polylines without_boxes(const Polylines& lines, std::span<const TextBox> boxes) 
     bool whole_start = true;
     for (std::size_t k = 1; k < line.size(); ++k) {
       const Point2 a = line[k - 1], b = line[k];
-      Rect box;
-      box.extend(a);
-      box.extend(b);
       cuts.clear();
-      grid.any_near(box, [&](std::uint32_t n) {
+      grid.any_near(bounds(a, b), [&](std::uint32_t n) {
         const auto part = inside(boxes[n], a, b);
         if (part) cuts.push_back(*part);
         return false;

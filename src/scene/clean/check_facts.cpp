@@ -15,6 +15,7 @@
 #include "base/no_index.hpp"
 #include "files/message_text.hpp"
 #include "scene/clean/named_objects.hpp"
+#include "scene/model/bounds.hpp"
 
 namespace ligne {
 namespace {
@@ -35,12 +36,6 @@ struct PaddedBox {
     return true;
   }
 };
-
-double largest_coordinate(const Scene& scene) {
-  double largest = 0;
-  for (const Point3& p : scene.vertices) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  return largest;
-}
 
 /// A contradiction of a stated fact. In the text, "@" stands for the name of the next object.
 struct Contradiction {

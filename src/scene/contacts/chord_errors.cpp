@@ -16,7 +16,7 @@ namespace ligne {
 namespace {
 
 /// Largest ratio of the widths of two faces that are chords of one arc. A wider face is a flat side beside a narrow
-/// rounding, and lies as near to its shape as the rounding does. Adjustable.
+/// fillet, and lies as near to its shape as the fillet does. Adjustable.
 constexpr double kUneven = 4;
 
 /// Distance from an edge of the face to its farthest vertex, across the edge. `normal` is that of the face.
@@ -116,9 +116,7 @@ std::uint32_t FaceNeighbours::across(std::uint32_t face, std::uint32_t v, std::u
 }
 
 double object_precision(const Scene& scene, std::uint32_t face) {
-  const auto after = std::upper_bound(scene.objects.begin(), scene.objects.end(), face,
-                                      [](std::uint32_t f, const Object& o) { return f < o.face_begin; });
-  return after[-1].precision;
+  return std::ranges::upper_bound(scene.objects, face, {}, &Object::face_end)->precision;
 }
 
 bool within_distance(const Scene& scene, const std::array<std::uint32_t, 2>& faces, const std::array<Point3, 2>& segment,

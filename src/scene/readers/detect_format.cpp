@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "files/input_file.hpp"
 #include "scene/readers/format_readers.hpp"
 #include "scene/readers/reader.hpp"
 #include "scene/readers/text_lines.hpp"
@@ -15,9 +16,7 @@
 namespace ligne {
 namespace {
 
-/// Recognises files of models and others that people have, but that are not read.
-
-/// Number of bytes of a text that are searched.
+/// Number of bytes of a text that are searched for marks of formats that are not read.
 constexpr std::size_t kSearched = 4096;
 
 constexpr char kWithAssimp[] = "convert it, for example with: assimp export IN OUT.glb";
@@ -88,7 +87,7 @@ bool is_dxf(std::string_view text) {
 /// A message for a file that is known by its first bytes but not read: its kind, and how to convert it. Nothing for
 /// unknown files.
 std::optional<std::string> find_foreign_format(std::span<const std::byte> bytes) {
-  std::string_view chars(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  std::string_view chars = as_characters(bytes);
   if (chars.starts_with("\xEF\xBB\xBF")) chars.remove_prefix(3);
   const std::string_view head = chars.substr(0, kSearched);
   if (chars.starts_with("ISO-10303-21") && head.find("IFC") != std::string_view::npos) {
@@ -106,10 +105,6 @@ std::optional<std::string> find_foreign_format(std::span<const std::byte> bytes)
 
 /// Number of bytes of a text that are examined: enough to get past long comments at the head.
 constexpr std::size_t kDetectionBytes = 65536;
-
-std::string_view as_chars(std::span<const std::byte> bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 /// The format of a ZIP archive. Throws InputError if it is not a model.
 ModelFormat zip_format(std::span<const std::byte> bytes, const std::string& name) {
@@ -226,7 +221,7 @@ std::string_view to_string(ModelFormat format) {
 }
 
 ModelFormat detect_format(std::span<const std::byte> bytes, std::string_view suffix, const std::string& name) {
-  const std::string_view chars = as_chars(bytes);
+  const std::string_view chars = as_characters(bytes);
   if (chars.empty()) throw InputError(name, "is empty");
   if (chars.starts_with("glTF")) return ModelFormat::glb;
   if (chars.starts_with("PK\x03\x04")) return zip_format(bytes, name);

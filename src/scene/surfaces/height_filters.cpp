@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -14,6 +16,8 @@
 namespace ligne {
 namespace {
 
+constexpr double kHole = std::numeric_limits<double>::quiet_NaN();
+
 /// Reads all heights, row by row.
 std::vector<double> all_heights(const HeightSource& heights) {
   const std::size_t columns = heights.x().size(), rows = heights.y().size();
@@ -22,92 +26,40 @@ std::vector<double> all_heights(const HeightSource& heights) {
   return z;
 }
 
-class LogHeights : public HeightSource {
+/// Another source with its heights changed, at the given positions.
+template <class Change>
+class ChangedHeights : public HeightSource {
  public:
-  explicit LogHeights(std::unique_ptr<HeightSource> heights)
-      : HeightSource(heights->x(), heights->y()), heights_(std::move(heights)) {}
+  ChangedHeights(std::unique_ptr<HeightSource> heights, std::vector<double> x, std::vector<double> y, Change change)
+      : HeightSource(std::move(x), std::move(y)), heights_(std::move(heights)), change_(std::move(change)) {}
 
   void read_row(std::size_t j, std::span<double> z) const override {
     heights_->read_row(j, z);
-    for (double& height : z) height = height > 0 ? std::log10(height) : std::numeric_limits<double>::quiet_NaN();
+    std::ranges::transform(z, z.begin(), change_);
   }
 
  private:
   std::unique_ptr<HeightSource> heights_;
+  Change change_;
 };
 
-/// One height in place of all; holes stay.
-class LevelHeights : public HeightSource {
- public:
-  LevelHeights(std::unique_ptr<HeightSource> heights, double level)
-      : HeightSource(heights->x(), heights->y()), heights_(std::move(heights)), level_(level) {}
+/// Another source with its heights changed, at its own positions.
+template <class Change>
+std::unique_ptr<HeightSource> with_heights(std::unique_ptr<HeightSource> heights, Change change) {
+  std::vector<double> x = heights->x(), y = heights->y();
+  return std::make_unique<ChangedHeights<Change>>(std::move(heights), std::move(x), std::move(y), std::move(change));
+}
 
-  void read_row(std::size_t j, std::span<double> z) const override {
-    heights_->read_row(j, z);
-    for (double& height : z) height = std::isnan(height) ? height : level_;
-  }
-
- private:
-  std::unique_ptr<HeightSource> heights_;
-  double level_;
-};
-
-/// Heights above a level; the others become holes.
-class LandHeights : public HeightSource {
- public:
-  LandHeights(std::unique_ptr<HeightSource> heights, double level)
-      : HeightSource(heights->x(), heights->y()), heights_(std::move(heights)), level_(level) {}
-
-  void read_row(std::size_t j, std::span<double> z) const override {
-    heights_->read_row(j, z);
-    for (double& height : z) height = height > level_ ? height : std::numeric_limits<double>::quiet_NaN();
-  }
-
- private:
-  std::unique_ptr<HeightSource> heights_;
-  double level_;
-};
-
-/// The rows of a source at other positions.
-class MovedHeights : public HeightSource {
- public:
-  MovedHeights(std::unique_ptr<HeightSource> heights, std::vector<double> x, std::vector<double> y)
-      : HeightSource(std::move(x), std::move(y)), heights_(std::move(heights)) {}
-
-  void read_row(std::size_t j, std::span<double> z) const override { heights_->read_row(j, z); }
-
- private:
-  std::unique_ptr<HeightSource> heights_;
-};
+/// Another source at other positions.
+std::unique_ptr<HeightSource> moved_to(std::unique_ptr<HeightSource> heights, std::vector<double> x, std::vector<double> y) {
+  return std::make_unique<ChangedHeights<std::identity>>(std::move(heights), std::move(x), std::move(y), std::identity{});
+}
 
 template <class Change>
 std::vector<double> changed(std::vector<double> positions, bool is_changed, Change change) {
   if (is_changed) std::transform(positions.begin(), positions.end(), positions.begin(), change);
   return positions;
 }
-
-class ScaledHeights : public HeightSource {
- public:
-  ScaledHeights(std::unique_ptr<HeightSource> heights, const AxesScaling& scaling)
-      : HeightSource(scaled(heights->x(), scaling, 0), scaled(heights->y(), scaling, 1)),
-        heights_(std::move(heights)),
-        origin_(scaling.origin.z),
-        factor_(scaling.factor.z) {}
-
-  void read_row(std::size_t j, std::span<double> z) const override {
-    heights_->read_row(j, z);
-    for (double& height : z) height = (height - origin_) * factor_;
-  }
-
- private:
-  static std::vector<double> scaled(std::vector<double> at, const AxesScaling& scaling, int axis) {
-    for (double& place : at) place = (place - scaling.origin[axis]) * scaling.factor[axis];
-    return at;
-  }
-
-  std::unique_ptr<HeightSource> heights_;
-  double origin_, factor_;
-};
 
 /// Samples [begin, end) of an axis.
 struct IndexRange {
@@ -174,7 +126,7 @@ class ThinnedHeights : public HeightSource {
 }  // namespace
 
 std::unique_ptr<HeightSource> land_heights(std::unique_ptr<HeightSource> heights, double level) {
-  return std::make_unique<LandHeights>(std::move(heights), level);
+  return with_heights(std::move(heights), [level](double z) { return z > level ? z : kHole; });
 }
 
 bool level_noise(std::unique_ptr<HeightSource>& heights) {
@@ -189,12 +141,13 @@ bool level_noise(std::unique_ptr<HeightSource>& heights) {
     if (high - low > kFormulaRounding * std::max(std::abs(low), std::abs(high))) return false;
   }
   if (!(low < high)) return false;
-  heights = std::make_unique<LevelHeights>(std::move(heights), std::midpoint(low, high));
+  heights =
+      with_heights(std::move(heights), [level = std::midpoint(low, high)](double z) { return std::isnan(z) ? z : level; });
   return true;
 }
 
 std::unique_ptr<HeightSource> log_heights(std::unique_ptr<HeightSource> heights) {
-  return std::make_unique<LogHeights>(std::move(heights));
+  return with_heights(std::move(heights), [](double z) { return z > 0 ? std::log10(z) : kHole; });
 }
 
 std::unique_ptr<HeightSource> log_ground(std::unique_ptr<HeightSource> heights, bool log_x, bool log_y,
@@ -204,14 +157,14 @@ std::unique_ptr<HeightSource> log_ground(std::unique_ptr<HeightSource> heights, 
   heights = window_heights(std::move(heights), log_x ? positive : AxisWindow{}, log_y ? positive : AxisWindow{}, name);
   const auto log = [](double at) { return std::log10(at); };
   std::vector<double> x = changed(heights->x(), log_x, log), y = changed(heights->y(), log_y, log);
-  return std::make_unique<MovedHeights>(std::move(heights), std::move(x), std::move(y));
+  return moved_to(std::move(heights), std::move(x), std::move(y));
 }
 
 std::unique_ptr<HeightSource> scaled_ground(std::unique_ptr<HeightSource> heights, double factor_x, double factor_y) {
   if (factor_x == 1 && factor_y == 1) return heights;
   std::vector<double> x = changed(heights->x(), factor_x != 1, [&](double at) { return at * factor_x; });
   std::vector<double> y = changed(heights->y(), factor_y != 1, [&](double at) { return at * factor_y; });
-  return std::make_unique<MovedHeights>(std::move(heights), std::move(x), std::move(y));
+  return moved_to(std::move(heights), std::move(x), std::move(y));
 }
 
 std::vector<char> steep_cells(const HeightSource& heights, double most, double units) {
@@ -254,7 +207,11 @@ AxesScaling ridgeline_scaling(const HeightSource& heights, double low, double hi
 }
 
 std::unique_ptr<HeightSource> scaled_heights(std::unique_ptr<HeightSource> heights, const AxesScaling& scaling) {
-  return std::make_unique<ScaledHeights>(std::move(heights), scaling);
+  const auto scaled = [&](int axis) {
+    return [origin = scaling.origin[axis], factor = scaling.factor[axis]](double at) { return (at - origin) * factor; };
+  };
+  std::vector<double> x = changed(heights->x(), true, scaled(0)), y = changed(heights->y(), true, scaled(1));
+  return std::make_unique<ChangedHeights<decltype(scaled(2))>>(std::move(heights), std::move(x), std::move(y), scaled(2));
 }
 
 std::unique_ptr<HeightSource> window_heights(std::unique_ptr<HeightSource> heights, AxisWindow x, AxisWindow y,

@@ -242,11 +242,7 @@ std::vector<std::vector<SeenStretch>> nearest_along(const std::vector<ProjectedV
     for (std::size_t i = first; i < last; ++i) {
       const auto own = covers.of(i);
       if (any_facet) {
-        if (covers.hides_all(i)) {
-          seen[i] = {{0, 1, 0}};
-        } else {
-          seen[i] = any_stretches({own.begin(), own.end()});
-        }
+        seen[i] = covers.hides_all(i) ? std::vector<SeenStretch>{{0, 1, 0}} : any_stretches({own.begin(), own.end()});
         continue;
       }
       ends = {0, 1};

@@ -41,14 +41,8 @@ class TransparentLineSpans final : private PairOrders {
     }
     std::ranges::sort(transparent_, {}, [](const Segment& s) { return std::pair(s.x0, s.face); });
     method_->study(opaque_, found_);
-    for (const VisibleSpan& s : found_) {
-      stops_.push_back(s.x0);
-      stops_.push_back(s.x1);
-    }
-    for (const Segment& s : transparent_) {
-      stops_.push_back(s.x0);
-      stops_.push_back(s.x1);
-    }
+    for (const VisibleSpan& s : found_) stops_.insert(stops_.end(), {s.x0, s.x1});
+    for (const Segment& s : transparent_) stops_.insert(stops_.end(), {s.x0, s.x1});
     std::ranges::sort(stops_);
     stops_.erase(std::unique(stops_.begin(), stops_.end()), stops_.end());
     walk();

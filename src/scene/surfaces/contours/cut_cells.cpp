@@ -118,8 +118,7 @@ HeightWindow window_without_poles(const HeightSource& source) {
   // Round numbers, since they stand at the axis: multiples of 5 in the second digit, computed as quotients of integers.
   const double digits = std::floor(std::log10(high - low)) - 1, unit = std::pow(10, std::abs(digits));
   const auto rounded = [&](double height, double (*round)(double)) {
-    const double tens = digits < 0 ? round(height * unit / 5) * 5 / unit : round(height / unit / 5) * 5 * unit;
-    return tens;
+    return digits < 0 ? round(height * unit / 5) * 5 / unit : round(height / unit / 5) * 5 * unit;
   };
   HeightWindow window{rounded(low - more, [](double z) { return std::floor(z); }),
                       rounded(high + more, [](double z) { return std::ceil(z); })};
