@@ -41,20 +41,20 @@ struct ReadOrder {
 };
 
 struct ReadDrawing {
-  Drawing drawing;                              ///< page mm, true to scale
-  std::vector<ReadRegion> regions;              ///< regions of a ligne-drawing, if it has any
-  std::optional<ReadOrder> order{};             ///< only if requested
-  Page page;                                    ///< margin 0 if the file has none
-  bool dashes_cut = false;                      ///< dashes are strokes already
-  std::map<std::string, std::size_t> left_out;  ///< parts skipped because the caller allowed it, with counts
-  std::size_t outlined = 0;                     ///< filled areas that were drawn by their contours only
-  std::size_t simplified_paints = 0;            ///< gradients and patterns drawn in one colour
-  std::size_t boxes = 0;                        ///< characters that the font lacks, drawn as boxes
-  bool size_assumed = false;                    ///< the file gives no size of the page
-  Omissions omitted;                            ///< parts of an SVG that could not be drawn, by kind
-  std::size_t first_omitted_line = 0;           ///< line of the first of these; 0: none, or not known
-  std::string paper_of_view_box;  ///< paper that a page without a size would be at another resolution, or empty
-  double paper_dpi = 0;           ///< that resolution
+  Drawing drawing{};                              ///< page mm, true to scale
+  std::vector<ReadRegion> regions{};              ///< regions of a ligne-drawing, if it has any
+  std::optional<ReadOrder> order{};               ///< only if requested
+  Page page{};                                    ///< margin 0 if the file has none
+  bool dashes_cut = false;                        ///< dashes are strokes already
+  std::map<std::string, std::size_t> left_out{};  ///< parts skipped because the caller allowed it, with counts
+  std::size_t outlined = 0;                       ///< filled areas that were drawn by their contours only
+  std::size_t simplified_paints = 0;              ///< gradients and patterns drawn in one colour
+  std::size_t boxes = 0;                          ///< characters that the font lacks, drawn as boxes
+  bool size_assumed = false;                      ///< the file gives no size of the page
+  Omissions omitted{};                            ///< parts of an SVG that could not be drawn, by kind
+  std::size_t first_omitted_line = 0;             ///< line of the first of these; 0: none, or not known
+  std::string paper_of_view_box{};                ///< paper that the view box fits at another resolution, or empty
+  double paper_dpi = 0;                           ///< that resolution
 };
 
 /// Largest distance of a coordinate from the corner of the page, mm.

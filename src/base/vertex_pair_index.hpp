@@ -11,31 +11,30 @@
 
 namespace ligne {
 
-/// Items ("things") that join pairs of nodes. A counting sort puts them into one bucket per lower node. In a mesh a
-/// bucket holds few items, so each is then sorted in place by the higher node. O(n + items) for n nodes, if buckets are
-/// small.
+/// A counting sort puts the items into one bucket per lower node. In a mesh a bucket holds few items, so each is then
+/// sorted in place by the higher node. O(n + items) for n nodes, if buckets are small.
 class VertexPairIndex {
  public:
   struct Entry {
-    std::uint32_t high;   ///< the higher of the two nodes
-    std::uint32_t thing;  ///< index of the item, given by the caller
+    std::uint32_t high;  ///< the higher of the two nodes
+    std::uint32_t item;  ///< the caller's number of the item
   };
 
-  /// list(add) must call add(a, b, thing) for all items, where a and b are the nodes in [0, nodes) that the item joins,
-  /// in ascending order of `thing`. Several threads call it several times, and it must list the same items each time.
-  /// `about`: approximate number of items.
+  /// list(add) must call add(a, b, item) for every item that joins the nodes a and b in [0, nodes), in ascending order of
+  /// `item`. Several threads call it several times, and it must list the same items each time. `about`: approximate
+  /// number of items.
   template <class List>
   VertexPairIndex(std::size_t nodes, std::size_t about, const List& list) : begin_(nodes + 1, 0) {
     // A task owns a range of nodes and lists all items, so the entries of a bucket keep the order of the items for any
     // number of ranges.
-    constexpr std::size_t kThingsPerRange = 50'000, kMostRanges = 4;
-    const std::size_t ranges = std::clamp<std::size_t>(about / kThingsPerRange, 1, std::min(kMostRanges, thread_count()));
+    constexpr std::size_t kItemsPerRange = 50'000, kMostRanges = 4;
+    const std::size_t ranges = std::clamp<std::size_t>(about / kItemsPerRange, 1, std::min(kMostRanges, thread_count()));
     const auto for_range = [&](std::size_t r, auto visit) {
       const auto first = static_cast<std::uint32_t>(nodes * r / ranges);
       const auto count = static_cast<std::uint32_t>(nodes * (r + 1) / ranges) - first;
-      list([&](std::uint32_t a, std::uint32_t b, std::uint32_t thing) {
+      list([&](std::uint32_t a, std::uint32_t b, std::uint32_t item) {
         const std::uint32_t low = std::min(a, b);
-        if (low - first < count) visit(low, std::max(a, b), thing);
+        if (low - first < count) visit(low, std::max(a, b), item);
       });
     };
     parallel_for(ranges, [&](std::size_t r) {
@@ -45,9 +44,7 @@ class VertexPairIndex {
     entries_.resize(begin_[nodes]);
     std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
     parallel_for(ranges, [&](std::size_t r) {
-      for_range(r, [&](std::uint32_t low, std::uint32_t high, std::uint32_t thing) {
-        entries_[next[low]++] = {high, thing};
-      });
+      for_range(r, [&](std::uint32_t low, std::uint32_t high, std::uint32_t item) { entries_[next[low]++] = {high, item}; });
     });
     parallel_blocks(nodes, kShortWorkBlock, [&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) sort(entries_.data() + begin_[v], entries_.data() + begin_[v + 1]);

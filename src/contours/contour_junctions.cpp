@@ -96,9 +96,9 @@ std::vector<Change> changes_of(const std::vector<SeenContour>& contours, double 
   return changes;
 }
 
-/// The crossing of a part of a line with a line in front that is nearest to the end of what is visible, as lengths along the
-/// line. Lines up to `slack_mm` behind count as in front. The end must lie within reach_of(segment in front) beside that
-/// line; none does if that is below zero.
+/// The crossing with a line in front that is nearest to the visible end of a line, as a length along the line. Lines up to
+/// `slack_mm` behind count as in front. The end must lie within reach_of(segment in front) of that line; a negative reach
+/// excludes it.
 template <class ReachOf>
 std::optional<double> nearest_crossing(std::span<const CurvePoint> part, double end, double slack_mm,
                                        const SegmentFinder& finder, const ReachOf& reach_of) {
@@ -232,7 +232,7 @@ void move_ends_of_contours(std::vector<SeenContour>& contours, const StrokeModel
 
 namespace {
 
-/// The way of an end of a stroke, mm along the stroke, outwards, and its new place.
+/// The shift of a stroke's end, mm outwards along the stroke, and its new place.
 using Move = std::pair<double, LatticePoint>;
 
 /// Whether a segment lies within the reach of the end of its contour, and that end is at p: there the contour continues a

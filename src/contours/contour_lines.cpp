@@ -79,7 +79,7 @@ class ObjectSizes {
 /// Whether the angle between the faces at a side is less than 180 degrees inside the solid, by their winding.
 bool bulges(const Scene& scene, const SmoothPatch& patch, std::uint32_t side) {
   const auto point = [&](std::uint32_t corner) { return scene.vertices[patch.triangles[corner / 3].v[corner % 3]]; };
-  const Point3 from = point(side), apex = point(last_corner(side)), other = point(last_corner(patch.across[side]));
+  const Point3 from = point(side), apex = point(previous_corner(side)), other = point(previous_corner(patch.across[side]));
   return glm::dot(glm::cross(point(next_corner(side)) - from, apex - from), other - from) < 0;
 }
 
@@ -189,7 +189,7 @@ void level_shallow_islands(SmoothPatch& patch, const Scene& scene, const Camera&
     const bool on_scan = is_of_scan(scans, patch.triangles[t].face);
     for (std::uint32_t corner = 3 * t; corner < 3 * t + 3; ++corner) {
       Island& part = parts[patch.sector[corner]];
-      const bool at_border = patch.across[corner] == kNone || patch.across[last_corner(corner)] == kNone;
+      const bool at_border = patch.across[corner] == kNone || patch.across[previous_corner(corner)] == kNone;
       if (at_border || patch.complete[corner] == 0 || !on_scan) part.whole = false;
       if (part.most > 0) continue;  // the sector has one place
       const Point3 eye = to_eye(camera, scene.vertices[patch.triangles[t].v[corner - 3 * t]]);

@@ -186,7 +186,7 @@ class Sights {
     reached.clear(patch_.normals.size());
     for (std::uint32_t k = 3 * t; k < 3 * t + 3; ++k) {
       reached.add(patch_.sector[k]);
-      if (patch_.across[k] != kNone) reached.add(patch_.sector[last_corner(patch_.across[k])]);
+      if (patch_.across[k] != kNone) reached.add(patch_.sector[previous_corner(patch_.across[k])]);
     }
     std::size_t begin = 0;
     for (int step = 0; step < kOutlineSteps; ++step) {

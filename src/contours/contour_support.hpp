@@ -42,8 +42,8 @@ class ContourSupport {
     double away = 0, sag = 0, lift = 0;  ///< mm: distance to `outline`; sag; distance from mesh to surface
   };
 
-  /// The midpoints of the chords between nodes, with the sags of their triangles.
   Place place_of(const Scene& scene, const ContourNode& node) const;
+  /// The midpoints of the chords between nodes, with the sags of their triangles.
   std::vector<Place> middles_of(const ContourChain& chain, const std::vector<Place>& places) const;
   /// Sets Place::outline to the nearest point of the outlines and Place::away to its distance, or to reach() if that is
   /// less.

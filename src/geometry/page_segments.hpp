@@ -1,6 +1,5 @@
 #pragma once
-/// Segments of the page that lie along each other, in plain doubles and mm: differences below a micrometre do not matter
-/// here.
+/// Overlaps of nearly parallel segments of the page, in plain doubles and mm, where micrometres do not matter.
 
 #include <algorithm>
 #include <cmath>

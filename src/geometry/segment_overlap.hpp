@@ -15,10 +15,10 @@ struct SegmentOverlap {
   double b_from, b_to;  ///< the fractions of b at the same places; b_from > b_to if b runs the other way
 };
 
-/// Length above which a segment is long, in tolerances. Adjustable.
+/// Length in tolerances above which a segment is long: its direction is reliable. Adjustable.
 inline constexpr double kLongInTolerances = 64;
-/// Largest difference of direction at which two long segments coincide (line_directions::difference()). At a larger one
-/// they share at most 60 tolerances, near an end of each: too little to be seen.
+/// Largest line_directions::difference() at which two long segments coincide. Beyond it they share at most 60 tolerances,
+/// near an end of each: too little to be seen.
 inline constexpr double kDirectionReach = 1.0 / 15;
 
 /// Projects the shorter segment onto the line of the longer one. The two coincide if their common interval there is

@@ -57,9 +57,9 @@ void warn_of_empty_or_cut(const StrokeModel& strokes, const Placement& placement
   }
 }
 
-/// Whether only visible parts beside strokes decide if strokes coincide. So it is for models that are or could be
-/// streamed, where the order of strokes must not depend on hidden parts, and for other large models, where it leaves
-/// few comparisons. Drawings of small models keep the order that they had before.
+/// Whether strokes are searched for coincidence only along their visible parts: for models that are or could be streamed,
+/// where the order of strokes must not depend on hidden parts, and for other large models, to save comparisons. Drawings of
+/// small models keep their earlier order of strokes.
 bool overlap_if_visible(const PictureRequest& request, const Scene& scene) {
   return request.blank || (scene.faces.size() >= kFewestStreamedFaces && request.lines.hidden == HiddenLines::none);
 }

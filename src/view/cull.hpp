@@ -17,7 +17,7 @@ namespace ligne {
 /// meets a front face before any back face. If that front face is opaque, back faces hide nothing and are not visible,
 /// regardless of objects in front of the shell or inside it. Faces seen edge on stay.
 ///
-/// All faces are kept of
+/// These keep all their faces:
 /// - objects that are not solids; objects with a shell whose volume is within the error of its coordinates; and objects
 ///   whose bounding box contains the eye or comes so close to it that the near plane could cut them open;
 /// - shells with a transparent face, through which back faces are visible;
@@ -25,7 +25,7 @@ namespace ligne {
 ///   show their back faces.
 struct BackFaces {
   std::vector<std::uint8_t> culled;  ///< per face of the scene: 1 if it can be removed
-  std::size_t faces = 0;             ///< number of these faces
+  std::size_t faces = 0;             ///< number of faces that can be removed
   std::size_t objects = 0;           ///< number of objects that have faces
   std::size_t kept_objects = 0;      ///< objects that keep all faces of at least one shell, for a reason above
 };

@@ -26,16 +26,16 @@ std::uint32_t spread_bits(std::uint32_t v) {
 std::vector<std::uint32_t> stable_order(const std::vector<std::uint32_t>& keys, std::size_t key_count) {
   const std::size_t n = keys.size();
   // A few items are sorted faster than the keys are counted.
-  constexpr std::size_t kKeysPerThing = 16;  // adjustable
-  if (n * kKeysPerThing < key_count) {
+  constexpr std::size_t kKeysPerItem = 16;  // adjustable
+  if (n * kKeysPerItem < key_count) {
     std::vector<std::uint32_t> order(n);
     std::iota(order.begin(), order.end(), 0u);
     std::sort(order.begin(), order.end(),
               [&](std::uint32_t a, std::uint32_t b) { return std::pair(keys[a], a) < std::pair(keys[b], b); });
     return order;
   }
-  constexpr std::size_t kThingsPerRange = 200'000, kMostRanges = 4;
-  const std::size_t ranges = std::clamp<std::size_t>(n / kThingsPerRange, 1, std::min(kMostRanges, thread_count()));
+  constexpr std::size_t kItemsPerRange = 200'000, kMostRanges = 4;
+  const std::size_t ranges = std::clamp<std::size_t>(n / kItemsPerRange, 1, std::min(kMostRanges, thread_count()));
   std::vector<std::uint32_t> next = large_vector<std::uint32_t>(key_count + 1), order = large_vector<std::uint32_t>(n);
   const auto for_ranges = [&](auto visit) {
     parallel_for(ranges, [&](std::size_t r) {

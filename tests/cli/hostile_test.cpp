@@ -68,7 +68,7 @@ TEST_F(ForgedFiles, CompiledModels) {
     run_well({"compile", LIGNE_SOURCE_DIR "/tests/corpus/cyclic_4.json", "-o", "model.tree", "-q", "--method", method});
     const std::string bytes = contents(file("model.tree"));
     damage_is_told(bytes, "changed", "a compiled model");
-    expect_forgeries_are_refused(bytes, sign_compiled_model, read_compiled_model);
+    expect_forgeries_are_refused(bytes, write_checksum_of_model, read_compiled_model);
   }
 }
 
@@ -76,7 +76,7 @@ TEST_F(ForgedFiles, DepthBuffers) {
   run_well("draw cube.obj --zbuffer-save cube.zbuf --lines 5 -q -o b.svg");
   const std::string bytes = contents(file("cube.zbuf"));
   damage_is_told(bytes, "square.obj --zbuffer-add changed", "a depth buffer");
-  expect_forgeries_are_refused(bytes, sign_zbuffer, ZBuffer::read);
+  expect_forgeries_are_refused(bytes, write_checksum_of_zbuffer, ZBuffer::read);
 }
 
 // --max-memory: a run is done, or ends soon with one line and no file.

@@ -139,7 +139,7 @@ void read_formula_as_fuzzer(std::span<const std::byte> bytes) {
 /// Compiled models are read as if their checksum were right, and drawn with the tree.
 void read_tree_as_fuzzer(std::span<const std::byte> bytes) {
   std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  sign_compiled_model(text);
+  write_checksum_of_model(text);
   try {
     const CompiledModel model = read_compiled_model(std::as_bytes(std::span(text)), "fuzz");
     check_scene(model.scene);
@@ -159,7 +159,7 @@ void read_tree_as_fuzzer(std::span<const std::byte> bytes) {
 /// Depth buffers are read as if their checksum were right, and a triangle is added.
 void read_zbuffer_as_fuzzer(std::span<const std::byte> bytes) {
   std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  sign_zbuffer(text);
+  write_checksum_of_zbuffer(text);
   try {
     ZBuffer buffer = ZBuffer::read(std::as_bytes(std::span(text)), "fuzz");
     check_scene(buffer.scene());

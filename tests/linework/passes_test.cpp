@@ -248,7 +248,7 @@ TEST(LineMapTest, RunsAreOfOneClassAndStraight) {
   EXPECT_EQ(runs.of(1), runs.of(0));
   EXPECT_NE(runs.of(2), runs.of(0));
   EXPECT_EQ(runs[runs.of(0)].length, 200);
-  EXPECT_EQ(runs[runs.of(3)].longest_beside, runs.of(0));
+  EXPECT_EQ(runs[runs.of(3)].longest_continuation, runs.of(0));
 }
 
 TEST(LineMapTest, EditsAreWrittenBack) {

@@ -280,8 +280,8 @@ std::array<Point3, 2> outline_probe(const Scene& scene, const View& view, const 
   const double length = glm::length(d);
   // Away from the third corners, which both lie on one side of an outline.
   Point2 off = length > 0 ? Point2{-d.y, d.x} / length : Point2{0, 0};
-  const Point2 inwards =
-      page_point(view, point(last_corner(side))) + page_point(view, point(last_corner(patch.across[side]))) - 2.0 * pa;
+  const Point2 inwards = page_point(view, point(previous_corner(side))) +
+                         page_point(view, point(previous_corner(patch.across[side]))) - 2.0 * pa;
   if (glm::dot(off, inwards) > 0) off = -off;
   const double off_mm = offsets.slack_mm + kMovedOff * std::min(length, offsets.size_mm);
   const double at_least = kPushedBack * offsets.object_size, far = kPushedBackEdges * glm::length(b - a);
@@ -304,7 +304,7 @@ double size_on_page(const Scene& scene, const View& view, const SmoothPatch& pat
     std::array<Point2, 3> p;
     for (std::uint32_t k = 0; k < 3; ++k) p[k] = page_point(view, point(s - s % 3 + k));
     longest = std::max({longest, glm::length(p[1] - p[0]), glm::length(p[2] - p[1]), glm::length(p[0] - p[2])});
-    height = std::max(height, glm::length(glm::cross(along, point(last_corner(s)) - a)));
+    height = std::max(height, glm::length(glm::cross(along, point(previous_corner(s)) - a)));
   }
   const double unit_mm = glm::length(page_direction(view, a, view.camera.right)), length = glm::length(along);
   if (!(length > 0)) return longest;

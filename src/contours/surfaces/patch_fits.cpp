@@ -57,7 +57,7 @@ class Sectors {
     for (std::uint32_t c = first; c < last; ++c) {
       const std::uint32_t s = patch.sector[c], at = next[s - run.sector]++;
       corners_[at] = c;
-      others_[at] = {patch.sector[next_corner(c)], patch.sector[last_corner(c)]};
+      others_[at] = {patch.sector[next_corner(c)], patch.sector[previous_corner(c)]};
       if (ways_[s] == 0) places_[s] = scene.vertices[patch.triangles[c / 3].v[c % 3]];
       ways_[s] |= way(patch.facing[c / 3] >= 0);
     }

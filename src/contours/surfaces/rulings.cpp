@@ -18,7 +18,7 @@ namespace {
 
 // Adjustable parameters.
 /// Least ratio of the length of a ruling to the extent of the faces beyond its end, and of the width of a flat side to
-/// the width of a rounding beside it. Chord errors use the same value (scene/contacts).
+/// the width of a fillet beside it. Chord errors use the same value (scene/contacts).
 constexpr double kRulingRatio = 4;
 /// Least sine of the angle between two rulings that span a flat side: 10 degrees.
 constexpr double kLeastSpanSine = 0.17;
@@ -89,7 +89,7 @@ class RulingFinder {
   bool has_long_edge(std::span<const std::uint32_t> corners) const {
     double shortest = std::numeric_limits<double>::infinity(), longest = 0;
     for (const std::uint32_t c : corners) {
-      for (const std::uint32_t end : {next_corner(c), last_corner(c)}) {
+      for (const std::uint32_t end : {next_corner(c), previous_corner(c)}) {
         const Point3 edge = point(end) - point(c);
         const double square = glm::dot(edge, edge);
         shortest = std::min(shortest, square);
@@ -105,7 +105,7 @@ class RulingFinder {
     std::vector<Candidate> candidates;
     for (const std::uint32_t c : corners) {
       if (face_normals_[c / 3] == Point3(0.0) || !has_coplanar_neighbour(c / 3)) continue;
-      for (const std::uint32_t end : {next_corner(c), last_corner(c)}) {
+      for (const std::uint32_t end : {next_corner(c), previous_corner(c)}) {
         const Point3 edge = point(end) - point(c);
         if (const double length = glm::length(edge); length > 0) candidates.push_back({length, edge / length, c});
       }
@@ -142,7 +142,7 @@ class RulingFinder {
   double reach_beyond(std::span<const std::uint32_t> corners, std::uint32_t c, const Point3& direction) const {
     double reach = 0;
     for (const std::uint32_t other : corners) {
-      for (const std::uint32_t end : {next_corner(other), last_corner(other)}) {
+      for (const std::uint32_t end : {next_corner(other), previous_corner(other)}) {
         const Point3 edge = point(end) - point(other);
         const double against = -glm::dot(edge, direction);
         if (against > reach && std::abs(glm::dot(edge, face_normals_[c / 3])) > kInPlaneSine * glm::length(edge)) {
@@ -193,7 +193,7 @@ double sag_of(const Scene& scene, const SmoothPatch& patch, std::uint32_t t) {
   const auto width_from = [&](std::uint32_t side) {
     const Point3 along = point(next_corner(side)) - point(side);
     const double length = glm::length(along);
-    return length > 0 ? glm::length(glm::cross(along, point(last_corner(side)) - point(side))) / length : 0;
+    return length > 0 ? glm::length(glm::cross(along, point(previous_corner(side)) - point(side))) / length : 0;
   };
   const Point3 n = normal(t);
   double sum = 0;

@@ -2,8 +2,8 @@
 /// Rulings: long straight edges on a smooth surface. Sag: bound on the distance between mesh and surface.
 ///
 /// A mean of face normals is wrong where long faces meet short ones. Where a flat side, a cylinder or a cone passes
-/// into a rounding, the long edges that end there lie on the surface: they are its rulings, and its normal is
-/// perpendicular to them. A mean is tilted towards the rounding by half of the angle between the faces.
+/// into a fillet, the long edges that end there lie on the surface: they are its rulings, and its normal is
+/// perpendicular to them. A mean is tilted towards the fillet by half of the angle between the faces.
 
 #include <cstdint>
 #include <span>

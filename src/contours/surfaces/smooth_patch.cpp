@@ -210,7 +210,7 @@ class PatchBuilder {
       CreaseMarks edges = edges_;
       sides.for_each_pair(begin, end, [&](std::uint32_t low, std::span<const VertexPairIndex::Entry> pair) {
         if (pair.size() != 2) return;
-        const std::uint32_t a = pair[0].thing, b = pair[1].thing;
+        const std::uint32_t a = pair[0].item, b = pair[1].item;
         if (edges.given() && edges.has(numbers.vertex(low), numbers.vertex(pair[0].high))) return;
         if (!are_smooth(a, b)) return;
         patch_.across[a] = b;
@@ -275,7 +275,7 @@ class PatchBuilder {
     } while (patch_.sector[at] == kNone);
     if (at == c && patch_.across[c] != kNone) return;  // a full ring
     for (at = c;;) {
-      const std::uint32_t r = patch_.across[last_corner(at)];
+      const std::uint32_t r = patch_.across[previous_corner(at)];
       if (r == kNone) return;
       at = r;
       patch_.sector[at] = number;

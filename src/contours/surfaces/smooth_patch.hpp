@@ -48,7 +48,7 @@ struct SmoothPatch {
 };
 
 inline std::uint32_t next_corner(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
-inline std::uint32_t last_corner(std::uint32_t corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
+inline std::uint32_t previous_corner(std::uint32_t corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
 
 /// Vector from p to the eye; of unit length only in parallel projection.
 Point3 to_eye(const Camera& camera, const Point3& p);

@@ -9,7 +9,7 @@
 
 namespace ligne {
 
-/// One edge of the contours, from a position to one of higher number, or several coincident ones.
+/// An edge of the contours, or several coincident ones, from one position to a later one.
 struct SweepEdge {
   std::uint32_t low = 0, high = 0;
   /// Winding number of the contours on the left of the edge minus that on its right: 1 for an edge of a contour that
@@ -20,7 +20,7 @@ struct SweepEdge {
 struct SweptContours {
   /// No two edges cross, and every winding number is 0 or 1.
   bool simple = true;
-  /// The edges, cut at every position on them. Equal ones are merged; those that cancel out are dropped.
+  /// The edges, cut at every position on them. Coincident pieces are merged, and dropped if their windings cancel out.
   std::vector<SweepEdge> pieces;
   /// If simple: triangles of the inside, as triples of positions, counter-clockwise, none without area.
   std::vector<std::array<std::uint32_t, 3>> triangles;

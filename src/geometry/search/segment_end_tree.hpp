@@ -29,8 +29,8 @@ struct DirectedSegment {
 
 /// The ends of segments in a range of directions, in a tree of boxes. The coordinates of the tree are u and v of the frame
 /// of the range, the direction of the segment, and the logarithm of its length. u and v separate segments side by side.
-/// Directions separate segments that meet in one point: far from the ends of a line, an end of a long segment is of interest
-/// only if the two have the same direction but for the tolerance over their common interval.
+/// Directions separate segments that meet in one point: far from the ends of a line, a long segment overlaps it only if
+/// their directions agree within the tolerance over the common interval.
 class SegmentEndTree {
  public:
   SegmentEndTree() = default;
@@ -40,9 +40,9 @@ class SegmentEndTree {
   /// All ends, leaf by leaf, so that neighbours in the list are mostly neighbours on the page.
   const std::vector<PlacedEnd>& ends() const { return ends_; }
 
-  /// Calls visit(end) for the ends of all segments that are not longer than the given one, may overlap it, and have an end
-  /// on it that is not its own end; and of all segments between the same two points. Of two segments that overlap, the
-  /// longer one has an end of the other on it (segment_overlap.hpp). Visits one end of a segment of which both are on it.
+  /// Calls visit(end) for segments that are not longer than the given one, may overlap it, and have an end inside it; and
+  /// for segments between the same two points. Of two segments that overlap, the longer one has an end of the other on it
+  /// (segment_overlap.hpp). If both ends of a segment lie inside, visits one of them.
   template <class Visit>
   void for_each_along(const DirectedSegment& segment, const Visit& visit) const;
 
@@ -58,11 +58,12 @@ class SegmentEndTree {
     std::array<std::int32_t, 2> ends[2]{};
   };
 
-  /// Weights by which the tree is divided. Segments run along u, with slopes of a tenth on the average, so boxes that are
-  /// longer along u are met by fewer. Directions divide only places where many segments meet. Adjustable.
+  /// Weights of the sides by which the tree is divided. Segments run along u with a mean slope of a tenth, so fewer of them
+  /// meet a box that is long along u. Directions divide only places where many segments meet. Adjustable.
   static constexpr PointTree<4>::Weights kWeights{1, 6, 0.1, 1};
   static constexpr double kRounding = 2;  ///< lattice steps; more than the rounding error of any position here
-  /// Common intervals above which directions are compared, in tolerances. Adjustable: below, they differ too much.
+  /// Least common interval over which directions are compared, in tolerances; over shorter ones they differ too much.
+  /// Adjustable.
   static constexpr double kCompared = 128;
 
   static std::int32_t rounded(double v) {
@@ -149,8 +150,8 @@ class SegmentEnds {
     for (const SegmentEndTree& tree : trees_) visit(tree.ends());
   }
 
-  /// Calls visit(end) for the ends along a segment of all short ones, and of the long ones of nearly its direction if it
-  /// is long.
+  /// Calls visit(end) for the ends of short segments along the given one; if it is long, also for those of long segments
+  /// of nearly its direction.
   template <class Visit>
   void for_each_along(const DirectedSegment& segment, const Visit& visit) const {
     trees_[kShort].for_each_along(segment, visit);

@@ -2,9 +2,9 @@
 ///
 /// Few arms: all pairs that turn by at most 90 degrees, sorted by their turn, taken greedily.
 ///
-/// Many arms (the pole of a sphere, a fan): the arms that are left are kept in the order of their directions. Each arm is
-/// a candidate with the two that are nearest to its opposite direction. The smallest turn is always among these candidates,
-/// unless a pair has taken one of both arms; then the other one is compared again with those that are left.
+/// Many arms (the pole of a sphere, a fan): the remaining arms are kept in the order of their directions. Each arm forms
+/// candidates with the two that are nearest to its opposite direction. The smallest turn is always among the candidates. If
+/// one arm of a candidate was taken by a pair, the other one gets new candidates.
 
 #include "linework/map/continuations.hpp"
 

@@ -88,7 +88,8 @@ Runs::Runs(const LineMap& map) : of_(map.piece_count(), kNone), runs_(map.piece_
     const std::uint32_t beside = of_[other[end] / 2];
     Run& run = runs_[of_[end / 2]];
     if (runs_[beside].line_class == run.line_class) continue;
-    if (run.longest_beside == kNone || runs_[beside].length > runs_[run.longest_beside].length) run.longest_beside = beside;
+    if (run.longest_continuation == kNone || runs_[beside].length > runs_[run.longest_continuation].length)
+      run.longest_continuation = beside;
   }
 }
 

@@ -21,7 +21,7 @@ class Runs {
   struct Run {
     double length = 0;  ///< lattice steps
     LineClass line_class = LineClass::mesh;
-    std::uint32_t longest_beside = kNone;  ///< the longest run of another class that continues this run
+    std::uint32_t longest_continuation = kNone;  ///< the longest run of another class that continues this run
   };
 
   /// Takes the pieces of edges; others have the run kNone. O(n log d) for nodes of the degree d.
@@ -35,8 +35,8 @@ class Runs {
 };
 
 /// Arcs: lines from one junction to the next. A line that ends within `reach` of the side of another makes a junction
-/// there. Pieces whose two ends belong to one junction belong to no arc. Arcs without contacts are called chains: there two
-/// pieces continue each other where exactly two pieces end.
+/// there. Pieces whose two ends belong to one junction belong to no arc. Chains are arcs that ignore such contacts: two
+/// pieces continue each other wherever exactly two pieces end.
 class Arcs {
  public:
   struct Arc {
@@ -63,7 +63,7 @@ class Arcs {
   std::uint32_t next(std::uint32_t end) const;
   /// The arcs of the remaining pieces, in the order of their lowest pieces. A ring begins with its lowest piece.
   std::vector<Arc> find() const;
-  /// The arc that begins at an end of a remaining piece that no other continues. Empty if it is longer than `most`.
+  /// The arc that begins at a loose end of a remaining piece. Empty if it is longer than `most`.
   Arc from(std::uint32_t end, double most = kAnyLength) const;
   void take_away(const Arc& arc);
 

@@ -14,7 +14,7 @@ namespace {
 /// longer neighbour.
 std::uint32_t class_donor(const Runs& runs, std::uint32_t run, double least) {
   while (runs[run].length < least) {
-    const std::uint32_t beside = runs[run].longest_beside;
+    const std::uint32_t beside = runs[run].longest_continuation;
     if (beside == kNone || runs[beside].line_class == LineClass::mesh || runs[beside].length <= runs[run].length) break;
     run = beside;
   }

@@ -15,7 +15,7 @@ namespace {
 /// two differ by more than the shape of the picture explains: that of a page differs from a square by a third.
 constexpr double kPrivilegedPart = 0.5;
 
-/// The number of pairs of faces of which one ends before the other begins.
+/// Number of pairs of faces with disjoint extents along the axis.
 std::uint64_t pairs_apart(std::span<const FaceExtent> faces, std::size_t axis) {
   std::vector<double> begins, ends;
   begins.reserve(faces.size());

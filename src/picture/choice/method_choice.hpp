@@ -1,8 +1,8 @@
 #pragma once
 /// The choice of --method auto.
 ///
-/// The rules follow from the measurements of bench/auto_table.py, see docs/compare.md. On all scenes of some size
-/// except one kind, the default method is the fastest exact method or takes a few hundredths more.
+/// The rules follow from the measurements of bench/auto_table.py, see docs/compare.md. On all kinds of larger scenes but
+/// one, the default method is the fastest exact method or a few percent slower.
 
 #include <span>
 #include <string>

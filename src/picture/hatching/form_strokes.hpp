@@ -1,5 +1,5 @@
 #pragma once
-/// Strokes that follow the form, evenly spaced on the page.
+/// Hatching strokes that follow the form, evenly spaced on the page.
 
 #include <array>
 #include <functional>
@@ -14,16 +14,16 @@ namespace ligne {
 /// The tone of a place.
 struct FormTone {
   static constexpr double kNoStrokes = std::numeric_limits<double>::infinity();
-  /// Distances of the strokes along the first and along the second direction.
+  /// Spacing of the strokes along the first and along the second direction of the field.
   std::array<double, 2> spacing_mm{kNoStrokes, kNoStrokes};
   std::uint32_t layer = 0;
   double pen_mm = 0.35;
 };
 
 struct FormStrokeOptions {
-  double closest_mm = 1.4;   ///< least distance of strokes
+  double closest_mm = 1.4;   ///< smallest spacing
   double shortest_mm = 0;    ///< shorter strokes are left out
-  double most_points = 1e7;  ///< most points of all strokes; beyond, throws std::length_error
+  double most_points = 1e7;  ///< limit for all strokes together; beyond it form_strokes() throws std::length_error
 };
 
 /// A stroke in page mm, all of one layer.
@@ -32,7 +32,7 @@ struct FormStroke {
   std::vector<Point2> points;
 };
 
-/// Distance of successive points of a stroke, in closest distances (adjustable).
+/// Step between points of a stroke, in smallest spacings. Adjustable.
 inline constexpr double kFormStep = 0.2;
 /// Memory for each point while strokes are placed, in bytes.
 inline constexpr double kFormPointBytes = 400;
@@ -47,12 +47,12 @@ struct FormGround {
   std::span<const std::uint32_t> surfaces;
 };
 
-/// Distance of the strokes of the sparsest hatching, in closest distances.
+/// Spacing of the sparsest hatching, in smallest spacings.
 inline constexpr double kSparsest = 8;
 
 /// Makes evenly spaced strokes along lines of the field ([Jobard1997]), the sparsest first and then those between them,
-/// so that strokes of lighter parts continue into darker parts. They end half a pen width from rims. In every region a
-/// stroke may begin.
+/// so that strokes of lighter parts continue into darker parts. They may begin in any region, and end half a pen width
+/// before the rim of the visible surface.
 std::vector<FormStroke> form_strokes(const FormGround& ground, std::span<const Region> seen,
                                      const std::function<FormTone(const FormPlace&)>& tone,
                                      const FormStrokeOptions& options);

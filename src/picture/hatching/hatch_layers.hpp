@@ -28,7 +28,7 @@ class HatchLayers {
   std::vector<Layer> layers_;
 };
 
-/// Distance of the closest strokes, in mm: as requested, or in proportion to the pen width.
+/// Spacing of the densest hatching, in mm: as requested, or in proportion to the pen width.
 double closest_strokes_mm(const HatchRequest& request, double pen_mm);
 
 /// Brightness above which nothing is hatched, for continuous shades.

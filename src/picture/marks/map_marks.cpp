@@ -62,7 +62,7 @@ double ground_of_mm(const MapGround& ground, const View& view) {
   if (camera.perspective) throw RequestError("scale-bar", "needs a parallel projection: a perspective view has no scale");
   const double across = std::hypot(camera.right.x, camera.right.y);
   if (!(across > 0)) throw RequestError("scale-bar", "the ground is seen edge on");
-  if (ground.unit == GroundUnit::degrees) return kMetresOfDegree / (view.scale * across);
+  if (ground.unit == GroundUnit::degrees) return kMetresPerDegree / (view.scale * across);
   return std::hypot(camera.right.x / ground.factor.x, camera.right.y / ground.factor.y) / (view.scale * across);
 }
 

@@ -14,7 +14,7 @@
 namespace ligne {
 
 /// Metres per degree of latitude, on a sphere of the earth's mean radius, 6371.009 km.
-inline constexpr double kMetresOfDegree = 111195.08;
+inline constexpr double kMetresPerDegree = 111195.08;
 
 struct MapMarks {
   std::vector<std::array<Point2, 2>> lines;    ///< page mm
@@ -29,9 +29,9 @@ struct MapGround {
   GroundUnit unit = GroundUnit::unknown;
 };
 
-/// Places the marks in rows below `all`, the picture and what surrounds it. In parallel projection, lengths across the
-/// picture are true, so the scale bar is right for horizontal distances from left to right. Throws RequestError if the
-/// view has no scale or no north.
+/// Places the marks in rows below `all`, the box of the picture and its axes. In parallel projection lengths across the
+/// picture are true, so the scale bar holds for horizontal distances from left to right. Throws RequestError if the view
+/// has no scale or no north.
 MapMarks lay_out_map_marks(const AxesChoice& choice, const MapGround& ground, const View& view, const Rect& all,
                            double text_height_mm, const MeasureText& measure);
 

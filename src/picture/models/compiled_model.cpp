@@ -4,14 +4,14 @@
 #include <cstdint>
 #include <fstream>
 
-#include "files/signed_bytes.hpp"
+#include "files/checksummed_file.hpp"
 #include "scene/readers/scene_bytes.hpp"
 #include "visibility/registry.hpp"
 
 namespace ligne {
 namespace {
 
-constexpr SignedKind kTreeFile{"ligne-tree\r\n", 1, "a compiled model", "compile the model again"};
+constexpr ChecksummedFormat kTreeFile{"ligne-tree\r\n", 1, "a compiled model", "compile the model again"};
 
 }  // namespace
 
@@ -36,31 +36,31 @@ std::string write_compiled_model(const CompiledModel& model) {
   writer.text(model.method->traits().name);
   write_scene(writer, model.scene);
   model.compiled->write(writer);
-  return signed_bytes(kTreeFile, writer.bytes());
+  return checksummed_file(kTreeFile, writer.bytes());
 }
 
-void sign_compiled_model(std::string& bytes) { sign(kTreeFile, bytes); }
+void write_checksum_of_model(std::string& bytes) { write_checksum(kTreeFile, bytes); }
 
-bool is_compiled_model(std::span<const std::byte> bytes) { return has_mark(kTreeFile, bytes); }
+bool is_compiled_model(std::span<const std::byte> bytes) { return has_magic(kTreeFile, bytes); }
 
 const Method* method_of_compiled(const std::filesystem::path& file) {
   constexpr std::size_t kLongestName = 64;
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return nullptr;
-  std::array<char, head_size(kTreeFile) + sizeof(std::uint64_t) + kLongestName> begin{};
+  std::array<char, header_size(kTreeFile) + sizeof(std::uint64_t) + kLongestName> begin{};
   std::ifstream in(file, std::ios::binary);
   in.read(begin.data(), begin.size());
   const auto bytes = std::as_bytes(std::span(begin)).first(static_cast<std::size_t>(in.gcount()));
-  if (!is_compiled_model(bytes) || bytes.size() < head_size(kTreeFile)) return nullptr;
+  if (!is_compiled_model(bytes) || bytes.size() < header_size(kTreeFile)) return nullptr;
   try {
-    return find_method(ByteReader(bytes.subspan(head_size(kTreeFile)), file.string()).text());
+    return find_method(ByteReader(bytes.subspan(header_size(kTreeFile)), file.string()).text());
   } catch (const InputError&) {
     return nullptr;  // read_compiled_model() reports the fault
   }
 }
 
 CompiledModel read_compiled_model(std::span<const std::byte> bytes, const std::string& name) {
-  ByteReader reader = open_signed(kTreeFile, bytes, name);
+  ByteReader reader = open_checksummed(kTreeFile, bytes, name);
   CompiledModel model;
   const std::string method = reader.text();
   model.method = find_method(method);

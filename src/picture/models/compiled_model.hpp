@@ -31,7 +31,7 @@ CompiledModel compile_model(Scene scene, const Method& method, const MethodSetti
 std::string write_compiled_model(const CompiledModel& model);
 
 /// Writes the checksum of all other bytes into the bytes of such a file.
-void sign_compiled_model(std::string& bytes);
+void write_checksum_of_model(std::string& bytes);
 
 /// Whether a file begins like those of write_compiled_model().
 bool is_compiled_model(std::span<const std::byte> bytes);

@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "files/signed_bytes.hpp"
+#include "files/checksummed_file.hpp"
 #include "picture/draw_scene.hpp"
 #include "picture/errors.hpp"
 #include "picture/placement.hpp"
@@ -16,7 +16,7 @@
 namespace ligne {
 namespace {
 
-constexpr SignedKind kZBufferFile{"ligne-zbuf\r\n", 1, "a depth buffer", "draw it again"};
+constexpr ChecksummedFormat kZBufferFile{"ligne-zbuf\r\n", 1, "a depth buffer", "draw it again"};
 
 void write_point(ByteWriter& bytes, const Point3& p) {
   for (int k = 0; k < 3; ++k) bytes.number(p[k]);
@@ -192,13 +192,13 @@ std::string ZBuffer::write() const {
   write_scene(writer, scene_);
   write_place(writer, *place_);
   buffer_->write(writer);
-  return signed_bytes(kZBufferFile, writer.bytes());
+  return checksummed_file(kZBufferFile, writer.bytes());
 }
 
-void sign_zbuffer(std::string& bytes) { sign(kZBufferFile, bytes); }
+void write_checksum_of_zbuffer(std::string& bytes) { write_checksum(kZBufferFile, bytes); }
 
 ZBuffer ZBuffer::read(std::span<const std::byte> bytes, const std::string& name) {
-  ByteReader reader = open_signed(kZBufferFile, bytes, name);
+  ByteReader reader = open_checksummed(kZBufferFile, bytes, name);
   ZBuffer result;
   result.scene_ = read_scene(reader);
   reader.need(!result.scene_.objects.empty(), "there is no object");

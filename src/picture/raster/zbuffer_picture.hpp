@@ -64,6 +64,6 @@ class ZBuffer {
 void require_no_place(const PictureRequest& request, const std::string& what);
 
 /// Writes the checksum of all other bytes into the bytes of such a file.
-void sign_zbuffer(std::string& bytes);
+void write_checksum_of_zbuffer(std::string& bytes);
 
 }  // namespace ligne

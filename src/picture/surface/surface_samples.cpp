@@ -187,7 +187,7 @@ Surface grid_surface(const SurfaceRequest& request, GridSurface read, const std:
     surface.heights = window_heights(std::move(surface.heights), window_of(request.x), window_of(request.y), file);
   }
   if (request.max_slope) {
-    surface.left_out = steep_cells(*surface.heights, *request.max_slope, unit == GroundUnit::degrees ? kMetresOfDegree : 1);
+    surface.left_out = steep_cells(*surface.heights, *request.max_slope, unit == GroundUnit::degrees ? kMetresPerDegree : 1);
   }
   surface.x_stride = surface.y_stride = request.every.value_or(1) / thinned_by;
   surface.thinned = !request.every && !request.curves.ridgeline;

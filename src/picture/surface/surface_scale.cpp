@@ -57,7 +57,7 @@ Point3 plot_factor(const SurfaceRequest& request, const AxesBox& box, GroundUnit
   if (request.z_scale) {
     factor.z = *request.z_scale;
   } else if (request.exaggeration) {
-    factor.z = *request.exaggeration / (unit == GroundUnit::degrees ? kMetresOfDegree : 1);
+    factor.z = *request.exaggeration / (unit == GroundUnit::degrees ? kMetresPerDegree : 1);
   } else if (!parametric) {
     factor.z = range.z > 0 ? or_one(side / (2 * range.z)) : 1;
   } else if (aspect.kind == AspectRequest::box) {

@@ -47,7 +47,7 @@ class FaceNeighbours {
 
 /// Estimates for some faces of a scene, from the angles between them and their neighbours. A face of width w (from the
 /// edge to its farthest vertex) that forms the angle t with its neighbour is the chord of an arc of height w/2
-/// tan(t/4). A face much wider than its neighbour is a flat side beside a narrow rounding, and then the neighbour's
+/// tan(t/4). A face much wider than its neighbour is a flat side beside a narrow fillet, and then the neighbour's
 /// width counts. Edges with an angle above `smooth_degrees`, and edges of one face or of more than two, are not part of
 /// a smooth surface.
 class ChordErrors {

@@ -10,13 +10,13 @@
 namespace ligne {
 namespace {
 
-/// Smallest ratio of the width of a side to that of a face of the rounding beside it. Adjustable.
+/// Smallest ratio of the width of a side to that of a face of the fillet beside it. Adjustable.
 constexpr double kWideTimes = 4;
-/// Largest number of triangles searched for the side, two per face of the rounding.
+/// Largest number of triangles searched for the side, two per face of the fillet.
 constexpr int kMostFaces = 8;
-/// Smallest distance of a middle edge from either end of the rounding, relative to the width. Adjustable.
+/// Smallest distance of a middle edge from either end of the fillet, relative to the width. Adjustable.
 constexpr double kMiddlePart = 1.0 / 3;
-/// Cosine of 45 degrees: edges along a rounding, and the diagonals of its faces, deviate from it by less. Adjustable.
+/// Cosine of 45 degrees: edges along a fillet, and the diagonals of its faces, deviate from it by less. Adjustable.
 constexpr double kAlongCosine = 0.70710678;
 
 /// The vector from a line to a point, perpendicular to the line.
@@ -80,10 +80,10 @@ std::array<double, 2> widths_across(const Scene& scene, const Edge& edge) {
   return {glm::length(across_face(scene, edge, edge.face0)), glm::length(across_face(scene, edge, edge.face1))};
 }
 
-bool Rounding::in_middle() const { return std::ranges::min(ways) > kMiddlePart * width(); }
+bool Fillet::in_middle() const { return std::ranges::min(ways) > kMiddlePart * width(); }
 
-std::optional<Rounding> rounding_at(const Scene& scene, const Topology& topology, const Edge& edge, double narrow) {
-  Rounding found{{}, {edge.face0, edge.face1}};
+std::optional<Fillet> fillet_at(const Scene& scene, const Topology& topology, const Edge& edge, double narrow) {
+  Fillet found{{}, {edge.face0, edge.face1}};
   for (const int k : {0, 1}) {
     if (!find_wide_side(scene, topology, edge, narrow, found.ways[k], found.sides[k])) return std::nullopt;
   }

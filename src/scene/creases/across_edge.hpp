@@ -16,8 +16,8 @@ Point3 across_face(const Scene& scene, const Edge& edge, std::uint32_t f);
 /// Widths of the two faces of an edge, measured across the edge.
 std::array<double, 2> widths_across(const Scene& scene, const Edge& edge);
 
-/// The narrow rounding along which an edge runs: the faces between two much wider ones.
-struct Rounding {
+/// The narrow fillet along which an edge runs: the faces between two much wider ones.
+struct Fillet {
   std::array<double, 2> ways{};          ///< distances from the edge to the wide faces
   std::array<std::uint32_t, 2> sides{};  ///< the wide faces, each on the side of that face of the edge
 
@@ -26,8 +26,8 @@ struct Rounding {
   bool in_middle() const;
 };
 
-/// The rounding at an edge; nothing if no wide faces lie on both sides, as on a rod and in an even mesh. `narrow`: the
+/// The fillet at an edge; nothing if no wide faces lie on both sides, as on a rod and in an even mesh. `narrow`: the
 /// smaller of widths_across().
-std::optional<Rounding> rounding_at(const Scene& scene, const Topology& topology, const Edge& edge, double narrow);
+std::optional<Fillet> fillet_at(const Scene& scene, const Topology& topology, const Edge& edge, double narrow);
 
 }  // namespace ligne

@@ -18,7 +18,7 @@ constexpr double kLowPart = 0.5;          ///< of the crease angle: least angle 
 constexpr double kFirmDegrees = 20;       ///< above the crease angle: such an edge stays even if isolated
 constexpr double kSurelySharp = 60;       ///< edges from this angle on are creases, even if the file says smooth
 constexpr double kRoundPart = 1.0 / 256;  ///< smaller radii are drawn as the edge that they round
-constexpr double kNarrowPart = 1.0 / 96;  ///< as are narrower roundings between wide sides
+constexpr double kNarrowPart = 1.0 / 96;  ///< as are narrower fillets between wide sides
 /// Allowance for the error of float32 normals of small faces: an edge at exactly the crease angle is not a crease.
 constexpr double kSlackDegrees = 0.01;
 
@@ -108,12 +108,12 @@ class BendClassifier {
     // one counts.
     if (cosine < limits_.crease && narrow < kRoundPart * size * std::acos(std::max(-1.0f, cosine)))
       return cosine < limits_.firm ? Bend::firm : Bend::strong;
-    // If the edge is in the middle, both its faces belong to the rounding.
+    // If the edge is in the middle, both its faces belong to the fillet.
     if (widths[0] + widths[1] >= kNarrowPart * size) return Bend::none;
-    const auto rounding = rounding_at(scene_, topology_, edge, narrow);
-    if (!rounding || rounding->width() >= kNarrowPart * size) return Bend::none;
-    const float bend = glm::dot(angles_.normals[rounding->sides[0]], angles_.normals[rounding->sides[1]]);
-    return bend < limits_.crease && rounding->in_middle() ? Bend::strong : Bend::none;
+    const auto fillet = fillet_at(scene_, topology_, edge, narrow);
+    if (!fillet || fillet->width() >= kNarrowPart * size) return Bend::none;
+    const float bend = glm::dot(angles_.normals[fillet->sides[0]], angles_.normals[fillet->sides[1]]);
+    return bend < limits_.crease && fillet->in_middle() ? Bend::strong : Bend::none;
   }
 
   const Scene& scene_;

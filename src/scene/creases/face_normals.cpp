@@ -23,10 +23,10 @@ namespace {
 /// Largest number of slivers passed on the way to a face that has a normal. Adjustable.
 constexpr int kLongestChain = 8;
 
-/// Least cosine of an angle of which MeshAngles::flat tells: flat_joints() knows none below 0.999.
+/// Least cosine of the angles in MeshAngles::flat: flat_joints() uses none below 0.999.
 constexpr float kLeastFlatCosine = 0.998F;
-/// Cosine of float32 normals, computed in float32, that surely is that of a bend; and that below which its own error and
-/// those of the lengths of the normals, 10 units of 2^-24, are less than a hundredth of its distance from 1.
+/// A smaller cosine of float32 normals, computed in float32, surely means a bend. Below the second, its error and those of
+/// the normals' lengths, 10 units of 2^-24, are less than a hundredth of its distance from 1.
 constexpr float kSurelyBent = 1 - 12 * 0x1p-24F, kClearlyBent = 1 - 1000 * 0x1p-24F;
 /// The squared distance of the normals' ends in distances of the cosine from 1, less that hundredth.
 constexpr float kBendPart = 1.98F;
@@ -55,7 +55,7 @@ TriangleShape shape_of(const Point3& a, const Point3& b, const Point3& c, double
   return {area / length, height2};
 }
 
-/// Gives faces without a normal that of their neighbour across their longest edge. If everything around is thinner than
+/// Gives a face without a normal the normal of its neighbour across its longest edge. If everything around is thinner than
 /// the precision, as in terrain whose eastings were written with six digits, the faces keep their own normals, since
 /// there are no better ones.
 void take_from_neighbours(const Scene& scene, const Topology& topology, std::vector<glm::vec3>& normals) {

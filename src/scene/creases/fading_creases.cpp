@@ -28,7 +28,7 @@ constexpr double kSectionReach = 2;
 /// Largest number of edges that a section passes on one side.
 constexpr int kMostCrossed = 12;
 /// Largest mean bend of a section, weighted by the bends themselves, radians: a turn of nine facets. Small bends between the
-/// triangles of planes are no reason to take the corners of a pocket for a rounding.
+/// triangles of planes are no reason to take the corners of a pocket for a fillet.
 constexpr double kMeanBend = 41 * std::numbers::pi / 180;
 /// Least sine of the angle between a section and the normal of a face that it passes: others are nearly in its plane.
 constexpr double kSteepFace = 0.2;
@@ -171,7 +171,7 @@ constexpr double kFlatEnd = 5 * std::numbers::pi / 180;
 constexpr double kLongFlatPart = 1.0 / 32;
 /// Adjustable: largest part of its object over which a section across an edge is followed.
 constexpr double kReachPart = 1.0 / 6;
-/// Adjustable, radians: least turn across an edge of a tube. Roundings of machine parts turn by less.
+/// Adjustable, radians: least turn across an edge of a tube. Fillets of machine parts turn by less.
 constexpr double kTubeTurn = 200 * std::numbers::pi / 180;
 
 class Fader {
@@ -213,14 +213,14 @@ class Fader {
     return dropped;
   }
 
-  /// Takes back edges inside no rows of parallel ones at which the surface bends on alike. Narrow roundings between planes
+  /// Takes back edges inside no rows of parallel ones at which the surface bends on alike. Narrow fillets between planes
   /// do so, too, and are edges of their part: they stay outside large regions, where tubes go.
   std::size_t drop_inside_sections() {
     std::vector<std::uint8_t> is_tube(ends_.size(), 0);  // per end: 1 if its edge turns as that of a tube
     const auto turns = [&](std::size_t k) {
       const auto [vertex, e] = ends_[k];
       if (topology_.edges[e].v0 != vertex || !free_.is_crease(e) || !is_between_freeforms(e)) return false;
-      if (is_inside_rounding(edges_.rows, e)) return false;
+      if (is_inside_fillet(edges_.rows, e)) return false;
       const double turn = turn_across(scene_, topology_, e, kReachPart * edges_.sizes[object_of_vertex(scene_, vertex)]);
       is_tube[k] = turn >= kTubeTurn;
       return turn > 0;

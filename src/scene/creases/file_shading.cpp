@@ -96,7 +96,7 @@ class Marker {
       const std::size_t block = first / kShortWorkBlock;
       filed.for_each_pair(first, last, [&](std::uint32_t, std::span<const VertexPairIndex::Entry> pair) {
         if (pair.size() != 2) return;
-        const Side a = sides_[pair[0].thing], b = sides_[pair[1].thing];
+        const Side a = sides_[pair[0].item], b = sides_[pair[1].item];
         if (a.face == b.face) return;
         const FileVerdict verdict = verdict_at(a, b);
         if (verdict == FileVerdict::smooth) smooth[block].emplace_back(a, b);

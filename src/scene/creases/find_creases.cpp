@@ -96,7 +96,7 @@ class Finder {
     found_.patch_edges = classify_patch_edges(scene_, topology_, mesh_, found_.patches, angles_.surfaces);
     if (!found_.patches.list.empty()) mark_bands(scene_, topology_, mesh_.normals, found_.patch_edges, found_.patches);
     for (const std::uint32_t e : indices_of_marks(found_.patch_edges)) {
-      // A rounding too small to be drawn as a surface is drawn as an edge, whichever surface it belongs to.
+      // A fillet too small to be drawn as a surface is drawn as an edge, whichever surface it belongs to.
       if ((topology_.edge_flags[e] & kEdgeSmooth) && bends_[e] >= Bend::strong) continue;
       const Bend bend = found_.patch_edges[e] == PatchEdge::sharp ? Bend::strong : Bend::none;
       found_.inside_surfaces += bend == Bend::none && bends_[e] >= Bend::strong;
@@ -123,7 +123,7 @@ class Finder {
     }
   }
 
-  /// A vertex at which such edges end; its entries in ends_ begin at `first`.
+  /// A vertex at which edges that bend end; its entries in ends_ begin at `first`.
   struct Node {
     std::uint32_t vertex, first;
     std::uint32_t creases;  ///< number of its edges that are creases by themselves
@@ -141,7 +141,7 @@ class Finder {
     }
     if (ends_.empty()) return;
     parallel_sort(ends_.begin(), ends_.end());
-    soften_roundings(scene_, topology_, {ends_, found_.patch_edges, rows_}, angles_.faces, bends_);
+    soften_fillets(scene_, topology_, {ends_, found_.patch_edges, rows_}, angles_.faces, bends_);
     node_of_vertex_.assign(scene_.vertices.size(), kNone);
     for (std::uint32_t k = 0; k < ends_.size(); ++k) {
       std::uint32_t& node = node_of_vertex_[ends_[k].vertex];
@@ -193,9 +193,9 @@ class Finder {
     return found;
   }
 
-  /// Continues every single crease end over weak edges in its direction, if that leads to another crease over no longer
-  /// a way than either of the two, or over a clear way, or along the border of a plane. Only
-  /// creases by themselves are continued, so the order does not matter.
+  /// Continues every loose end of a crease along weak edges in its direction that lead to another crease, if these are no
+  /// longer than either crease, or the only way on, or the border of a plane. Continuations are not continued themselves,
+  /// so the order does not matter.
   void continue_ends() {
     Chains found = chains();
     PlaneRims rims(scene_, topology_, found_.patches, found_.patch_edges);
@@ -250,8 +250,8 @@ class Finder {
       }
       if (best == kNone) return {};
       way.push_back(best);
-      // The way on is clear where it is the only one, and not one of many along a rounding.
-      is_clear = is_clear && ends.size() == 2 && !is_inside_rounding(rows_, best);
+      // The way on is clear where it is the only one, and not one of many along a fillet.
+      is_clear = is_clear && ends.size() == 2 && !is_inside_fillet(rows_, best);
       length += length_of(best);
       if (length > longest && !is_clear) return {};
       node = node_of(other_end(topology_.edges[best], nodes_[node].vertex));

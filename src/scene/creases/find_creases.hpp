@@ -52,8 +52,8 @@ struct Creases {
 /// angle between the normals of its faces.
 ///
 /// 1. Edges that the file marks follow it. A smooth edge (kEdgeSmooth) is a crease only above kSurelySharp, a sharp
-///    edge (kEdgeSharp) already above half of `angles.faces`. The middle edge of a narrow rounding is a crease if the
-///    angle between the wide sides of the rounding is large enough.
+///    edge (kEdgeSharp) already above half of `angles.faces`. The middle edge of a narrow fillet is a crease if the
+///    angle between the wide sides of the fillet is large enough.
 /// 2. Other edges are creases if their angle exceeds `angles.faces`. An edge of more than two faces is a crease if two
 ///    of them form an angle.
 /// 3. Edges inside a recognised surface (patches/find_patches.hpp) are not creases, nor are edges where surfaces join

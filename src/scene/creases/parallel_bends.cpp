@@ -13,11 +13,11 @@
 namespace ligne {
 namespace {
 
-/// A rounding has no facets so many times as wide as others beside them.
+/// A fillet has no facets so many times as wide as others beside them.
 constexpr double kWideFactor = 4;
-/// Adjustable: number of parallel edges on either side of an edge inside a rounding.
+/// Adjustable: number of parallel edges on either side of an edge inside a fillet.
 constexpr int kRowsBeside = 2;
-/// Adjustable, degrees: edges inside a rounding are no lines up to so much above the crease angle. Tubes of twelve sides
+/// Adjustable, degrees: edges inside a fillet are no lines up to so much above the crease angle. Tubes of twelve sides
 /// bend by a little more than 30 degrees where they are bent themselves.
 constexpr double kMoreDegrees = 1;
 
@@ -26,7 +26,7 @@ constexpr double kMoreDegrees = 1;
 /// half.
 constexpr double kCutEvidence = 0.55;
 
-/// Edges that rows do not decide. Those that the file calls smooth are strong where a rounding is too small for a surface,
+/// Edges that rows do not decide. Those that the file calls smooth are strong where a fillet is too small for a surface,
 /// and is drawn as an edge.
 constexpr std::uint16_t kNotByRows = kEdgeManyFaces | kEdgeUnlikeWound | kEdgeSmooth;
 
@@ -88,7 +88,7 @@ bool is_beside_cut(const Topology& topology, const EdgeRows& rows, std::uint32_t
 
 }  // namespace
 
-bool is_inside_rounding(const EdgeRows& rows, std::uint32_t edge) {
+bool is_inside_fillet(const EdgeRows& rows, std::uint32_t edge) {
   const auto beside = rows.beside(edge, kRoundingBends);
   return beside && std::ranges::all_of(*beside, [&](EdgeRows::Step step) {
            for (int row = 1; row < kRowsBeside && step; ++row) step = rows.next(step, kRoundingBends);
@@ -116,11 +116,11 @@ bool is_line(const Scene& scene, const Topology& topology, const EdgeRows& rows,
   return standing >= 0;
 }
 
-void soften_roundings(const Scene& scene, const Topology& topology, const BendEnds& at, double crease_degrees,
-                      std::vector<Bend>& bends) {
+void soften_fillets(const Scene& scene, const Topology& topology, const BendEnds& at, double crease_degrees,
+                    std::vector<Bend>& bends) {
   const auto may_soften = [&](std::uint32_t e) {
     return bends[e] == Bend::strong && at.patch_edges[e] == PatchEdge::unknown && topology.edges[e].face1 != kNone &&
-           !(topology.edge_flags[e] & kNotByRows) && is_inside_rounding(at.rows, e);
+           !(topology.edge_flags[e] & kNotByRows) && is_inside_fillet(at.rows, e);
   };
   const double least = std::cos((crease_degrees + kMoreDegrees) * std::numbers::pi / 180);
   const auto is_soft = [&](std::size_t k) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Edges that bend, by their ends, and those inside roundings.
+/// Edges that bend, by their ends, and those inside fillets.
 
 #include <cstdint>
 #include <span>
@@ -22,15 +22,15 @@ struct BendEnd {
 };
 
 /// Whether an edge lies inside a row of parallel edges, two or more on either side, that bend to the same side: the facets
-/// of a rounding, along which no line runs.
-bool is_inside_rounding(const EdgeRows& rows, std::uint32_t edge);
+/// of a fillet, along which no line runs.
+bool is_inside_fillet(const EdgeRows& rows, std::uint32_t edge);
 
-/// Whether an edge is no part of a rounding: inside one, the edges beside it bend alike on both sides, at similar distances.
+/// Whether an edge is no part of a fillet: inside one, the edges beside it bend alike on both sides, at similar distances.
 /// The rims of a bevel have each other on one side and a plane on the other.
 bool stands_out(const EdgeRows& rows, std::uint32_t edge, const RowBends& bends = kRoundingBends);
 
 /// Whether a way over edges stands out from even rows along half of its length or more. Otherwise it is one of many along a
-/// rounding. Edges count half that a cut may have made the last ones of their rows.
+/// fillet. Edges count half that a cut may have made the last ones of their rows.
 bool is_line(const Scene& scene, const Topology& topology, const EdgeRows& rows, std::span<const std::uint32_t> way);
 
 /// The edges that bend.
@@ -40,10 +40,10 @@ struct BendEnds {
   const EdgeRows& rows;
 };
 
-/// Makes weak bends of strong ones inside roundings of which the recognised surfaces say nothing, as they are no lines:
+/// Makes weak bends of strong ones inside fillets of which the recognised surfaces say nothing, as they are no lines:
 /// those that exceed the crease angle by no more than what a coarse mesh of a bent tube does, and whole lines that meet no
 /// other one.
-void soften_roundings(const Scene& scene, const Topology& topology, const BendEnds& ends, double crease_degrees,
-                      std::vector<Bend>& bends);
+void soften_fillets(const Scene& scene, const Topology& topology, const BendEnds& ends, double crease_degrees,
+                    std::vector<Bend>& bends);
 
 }  // namespace ligne

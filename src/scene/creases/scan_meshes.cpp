@@ -44,7 +44,7 @@ constexpr double kSharpTurnCosine = 0.64278761;  ///< 50 degrees
 constexpr double kMeanLengthPart = 1.0 / 20;     ///< largest mean length, in sizes of the object
 /// Creases that continue each other by less than 45 degrees over this part of the size of the object are a line.
 constexpr double kLinePart = 1.0 / 12, kLineCosine = 0.70710678;
-/// Cosine of the least bend of a corner, which is a right angle to 20 degrees. Folds that decimation leaves in a rounding
+/// Cosine of the least bend of a corner, which is a right angle to 20 degrees. Folds that decimation leaves in a fillet
 /// bend less for the most part.
 constexpr float kCornerCosine = 0.34202014F;
 constexpr std::size_t kFewestOfRing = 4;  ///< edges of a ring of corners; three are the rim of a triangle

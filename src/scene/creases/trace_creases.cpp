@@ -24,8 +24,8 @@ constexpr std::size_t kFewestEdges = 6;
 constexpr double kRidgePart = 2.0 / 3;        ///< smallest part of vertices at an edge above the crease angle
 constexpr double kZigzagPart = 1.0 / 3;       ///< largest part of vertices that turn more than kZigzagCosine
 constexpr double kZigzagCosine = 0.64278761;  ///< 50 degrees
-constexpr double kSharpPart = 0.95;           ///< of the bend farther out; a line below lies on a rounding
-constexpr double kLongPart = 1.0 / 8;         ///< of the size of the object: a shorter line on a rounding is not a crease
+constexpr double kSharpPart = 0.95;           ///< of the bend farther out; a line below lies on a fillet
+constexpr double kLongPart = 1.0 / 8;         ///< of the size of the object: a shorter line on a fillet is not a crease
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
@@ -266,14 +266,14 @@ class Tracer {
     const auto firm_edges =
         std::ranges::count_if(line.edges, [&](std::uint32_t k) { return bends_[candidates_[k]] == Bend::firm; });
     const bool firm = 2 * static_cast<std::size_t>(firm_edges) >= line.edges.size();
-    const bool is_clean_line = is_clean(line), is_crease = is_clean_line && (firm || !is_short_rounding(line));
+    const bool is_clean_line = is_clean(line), is_crease = is_clean_line && (firm || !is_short_fillet(line));
     for (const std::uint32_t k : line.edges) {
       on_line_[k] = is_crease;
       firm_[k] = firm;
       refused_[k] = !is_crease;
     }
     if (!is_clean_line) return;
-    // Also beside a rounding that is not a crease: another line along it would be no better.
+    // Also beside a fillet that is not a crease: another line along it would be no better.
     for (const std::uint32_t v : line.vertices) {
       for (const std::uint32_t face : faces_at_[place_of(v)]) {
         for (const std::uint32_t next : scene_.faces.contour(face, 0)) {
@@ -339,8 +339,8 @@ class Tracer {
     return static_cast<double>(on_ridge) >= kRidgePart * count && static_cast<double>(turns) <= kZigzagPart * count;
   }
 
-  /// Whether the line is short and the surface goes on bending beside it: then many lines along a rounding would do.
-  bool is_short_rounding(const Line& line) const {
+  /// Whether the line is short and the surface goes on bending beside it: then many lines along a fillet would do.
+  bool is_short_fillet(const Line& line) const {
     double length = 0, wide = 0, far = 0;
     for (const std::uint32_t k : line.edges) length += glm::length(along(candidates_[k]));
     if (length >= kLongPart * size_) return false;

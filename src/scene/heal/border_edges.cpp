@@ -117,7 +117,7 @@ std::vector<Edge> border_edges(const Scene& scene, const Object& object, const s
   });
   std::vector<Edge> borders;
   filed.for_each_pair(0, vertices.size(), [&](std::uint32_t low, std::span<const VertexPairIndex::Entry> pair) {
-    if (pair.size() == 1) borders.push_back({vertices[low], vertices[pair[0].high], pair[0].thing, kNone});
+    if (pair.size() == 1) borders.push_back({vertices[low], vertices[pair[0].high], pair[0].item, kNone});
   });
   return borders;
 }

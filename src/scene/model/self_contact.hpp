@@ -34,9 +34,9 @@ int plane_side(const Point3& a, const Point3& b, const Point3& c, const Point3& 
 
 using Corners3 = std::array<Point3, 3>;
 
-/// Whether the triangles certainly have nothing in common but their first `shared` corners, which must be equal and in
-/// the same order: no point, one corner, or one side. False for three shared corners. "Certainly" means by signs that
-/// rounding can not reverse; false may also mean that the triangles are too close to decide.
+/// Whether the triangles certainly share nothing but their first `shared` corners (0, 1 or 2), which must be equal and in
+/// the same order. "Certainly" means by signs that rounding can not reverse: false may also mean too close to decide. False
+/// for three shared corners.
 bool are_apart(const Corners3& t, const Corners3& u, int shared);
 
 /// Whether the three corners are exactly collinear.

@@ -24,7 +24,7 @@ struct SeparatingPlane {
   Point3 point{0, 0, 0};
   Point3 normal{0, 0, 1};  ///< unit vector
 };
-/// Most planes of a scene: a place in the order of painting takes one bit for each.
+/// Most planes of a scene: painting sorts by a key with one bit per plane.
 inline constexpr std::size_t kMostSeparatingPlanes = 32;
 
 struct StatedFacts {

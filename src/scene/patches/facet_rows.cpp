@@ -44,7 +44,7 @@ Point3 FacetRows::along(std::uint32_t e) const {
   return glm::normalize(scene_.vertices[topology_.edges[e].v1] - scene_.vertices[topology_.edges[e].v0]);
 }
 
-/// Whether two edges of a facet are such and fulfil a condition.
+/// Whether two edges of a facet are RowEdges that fulfil a condition.
 template <class Condition>
 bool FacetRows::any_row(std::uint32_t f, const Condition& condition) const {
   const auto arcs = graph_.arcs_of(f);
@@ -82,7 +82,7 @@ bool FacetRows::ends_row(std::uint32_t f) const {
   });
 }
 
-/// Whether a facet and that beyond an arc may be neighbours in a long row.
+/// Whether a facet and the one beyond an arc may be neighbours in a long row.
 bool FacetRows::goes_on_behind(std::uint32_t f, const FacetGraph::Arc& arc) const {
   for (const std::uint32_t g : {f, arc.facet}) {
     if (patch_of_[g] != kNone || graph_.is_sliver[g] || graph_.arcs_of(g).size() > kMostRowArcs) return false;

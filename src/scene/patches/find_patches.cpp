@@ -32,8 +32,8 @@ struct ObjectPatches {
   std::vector<FreeformBorder> borders;
 };
 
-/// Limit surfaces of subdivision are splines: what lies on a cylinder or a sphere there does so by accident.
-/// Each of their triangles has a side inside the surface.
+/// Limit surfaces of subdivision are splines, whose facets lie on cylinders and spheres only by accident. Each of their
+/// triangles has a side inside the surface.
 bool is_limit_surface(const Scene& scene, const Object& object) {
   if (scene.corner_flags.empty() || object.face_begin == object.face_end) return false;
   const auto sides =

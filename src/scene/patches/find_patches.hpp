@@ -18,8 +18,7 @@ struct Patch {
   PatchSurface surface;
   double sag = 0;        ///< median distance of the facets' centres from the surface, model units
   bool outward = true;   ///< the faces face the side to which the normals of the surface point
-  bool is_band = false;  ///< it continues smoothly into another patch as if both were one surface: the bands of a bent
-                         ///< tube, for example, lie on cones
+  bool is_band = false;  ///< one of several patches that approximate one smooth surface, as cones do a bent tube
 };
 
 /// The patches of a scene.
@@ -28,7 +27,7 @@ struct Patches {
   std::vector<std::uint32_t> patch_of;  ///< per face: index into `list`, kNone if no surface was found
   /// Per face: 1 if no surface was found but the face belongs to a smooth free-form surface (freeform.hpp).
   std::vector<std::uint8_t> is_freeform;
-  /// Edges inside planes whose faces differ by more than rounding would turn a face of their size: sorted.
+  /// Edges inside planes, sorted, between faces whose tilt exceeds what rounding can cause at their size.
   std::vector<std::uint32_t> plane_edges;
   std::vector<FreeformBorder> borders;  ///< sorted by edge; FreeformBorder::chain is less than borders.size()
 

@@ -56,7 +56,7 @@ constexpr double kLikeBends = 2.2;
 constexpr double kTangentPart = 0.01;
 /// Least depth of such a plane, in depths of the facet of the surface. Facets of a free form are less unlike.
 constexpr double kTangentDepths = 1.5;
-/// Largest depth of such a plane, in lengths of the edge. A strip along a rounding has the normal of the surface at its end,
+/// Largest depth of such a plane, in lengths of the edge. A strip along a fillet has the normal of the surface at its end,
 /// too.
 constexpr double kLongestDepth = 8;
 

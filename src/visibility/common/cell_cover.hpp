@@ -23,10 +23,9 @@ class CellCover {
   CellCover(const ProjectedScene& scene, const std::vector<Facet>& facets, double margin)
       : scene_(scene), facets_(facets), margin_(margin) {}
 
-  /// Returns the farthest depth of the best patch in the cell, depth tolerance added, if there is a patch; the best
-  /// patch is the one for which this depth is nearest. hides(facet) says whether the facet may belong to a patch. The
-  /// list is ordered by z_near: usually a surface in front covers the cell, and facets that begin behind it need not be
-  /// examined.
+  /// Returns the farthest depth of the nearest patch in the cell, depth tolerance added, if there is a patch.
+  /// hides(facet) says whether the facet may belong to a patch. The list is ordered by z_near: usually a surface in front
+  /// covers the cell, and facets that begin behind it need not be examined.
   template <class Hides>
   std::optional<float> find(const CellFacet* list, std::size_t n, const CellSquare& square, Hides hides) {
     begin_cell(square);
@@ -77,7 +76,7 @@ class CellCover {
   void begin_cell(const CellSquare& square);
   void add(const Facet& f);
   void cover_samples(const Member& member);
-  /// Depth within which the members cover all sample points. A patch is hardly nearer.
+  /// Depth within which the members cover all sample points. A patch is rarely nearer.
   double covered_depth() const { return *std::max_element(sample_depths_.begin(), sample_depths_.end()); }
   std::optional<float> choose_patch();
   void number_sides();

@@ -33,8 +33,8 @@ bool looks_like_one_convex_body(const ProjectedScene& scene);
 
 /// Why the scene is not one opaque convex body that is wholly in view; empty when it is. O(n log n).
 ///
-/// It is when
-/// - the faces of the edges have triangles: they are not copies that were left out,
+/// It is one if
+/// - every face at an edge has triangles (a face left out as a copy has none),
 /// - every side has two triangles, which run along it in opposite directions, and all triangles are connected,
 /// - its volume exceeds the tolerances of touching,
 /// - no two triangles at a side form an angle that is concave by more than their depth tolerances,

@@ -52,7 +52,7 @@ class FaceCounter {
   FaceCounter(const FacetForest& forest, double coincidence_steps)
       : forest_(forest), coincidence_steps_(coincidence_steps) {}
 
-  /// Returns the parts of [0, 1], in order, without gaps. A count is that of the side of the line with fewer facets in
+  /// Returns the parts of [0, 1], in order, without gaps. Each count is taken on the side of the line with fewer facets in
   /// front. `tests` grows by the number of facets tested.
   std::vector<CountedPart> count(const PageLine& line, bool with_faces, std::uint64_t& tests);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The horizon: the highest of the lines taken so far, at every place u across the picture.
+/// The horizon: at every place u across the picture, the greatest height of the lines so far.
 
 #include <algorithm>
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 namespace ligne::horizon {
 
-/// Length on the u axis below which a part is only rounding, as a part of the picture's width.
+/// Length on the u axis below which a span is only rounding, as a fraction of the picture's width.
 inline constexpr double kLeastPart = 0x1p-42;
 
-/// Difference between level heights, as a part of the picture's size: a height carries a dozen roundings. Heights of
-/// one line at two places that are nearer to each other than this are level, too.
+/// Largest difference of heights that count as level, as a fraction of the picture's size: a height carries a dozen
+/// roundings. Heights of one line at places within this distance are level, too.
 inline constexpr double kLevelPart = 0x1p-44;
 
 /// A line over u, from its left to its right end: u0 < u1.

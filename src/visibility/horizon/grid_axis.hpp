@@ -19,9 +19,8 @@ struct GridAxis {
   std::vector<double> fraction;     ///< fraction of the way to the next sample; 0 at samples
   std::vector<bool> drawn;          ///< whether a curve is drawn there
 
-  /// Positions from the nearest to the farthest; `sign` is the direction away from the viewer. The part begins with
-  /// order[begin]. If that is a sample below the eye, the position before it belongs to the other part; it shows how
-  /// the surface continues there.
+  /// Positions from the nearest to the farthest, beginning with order[begin]; `sign` is the direction away from the viewer.
+  /// If the eye is over a sample, order[0] is a position of the other part, which shows how the surface continues there.
   struct Part {
     std::vector<std::size_t> order;
     double sign;

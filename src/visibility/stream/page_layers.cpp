@@ -162,7 +162,7 @@ void PageLayers::add(const StreamFacet& facet) {
     if (layer == 1) return;
     std::uint64_t looks = square.looks.load(kRelaxed);
     for (;;) {
-      const std::uint64_t all = put_together(looks, facet.looks);
+      const std::uint64_t all = merged_looks(looks, facet.looks);
       if (all == looks || square.looks.compare_exchange_weak(looks, all, kRelaxed)) return;
     }
   });
@@ -212,7 +212,7 @@ std::uint64_t packed_look(const Point3& unit_normal, std::uint64_t bits) {
   return packed;
 }
 
-std::uint64_t put_together(std::uint64_t a, std::uint64_t b) {
+std::uint64_t merged_looks(std::uint64_t a, std::uint64_t b) {
   std::uint64_t result = (a | b) & ~((std::uint64_t{1} << 48) - 1);
   for (int k = 0; k < 48; k += 8) result |= std::max(a >> k & 0xff, b >> k & 0xff) << k;
   return result;

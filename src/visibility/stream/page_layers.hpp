@@ -1,6 +1,5 @@
 #pragma once
-/// Finds the covers of the squares of the page from facets that come one by one and are not stored. See
-/// docs/streaming.md.
+/// Finds the occluders of each square of the page from a stream of facets, without storing them. See docs/streaming.md.
 
 #include <array>
 #include <atomic>
@@ -20,7 +19,7 @@ struct StreamFacet {
   enum class Kind : std::uint8_t {
     none,     ///< two corners coincide: no face
     outside,  ///< a part of it is out of view
-    odd,      ///< seen edge on, or nearly so: it covers nothing, and its sides may be lines
+    odd,      ///< seen (nearly) edge on: it covers nothing, and its sides may be lines
     plain,
   };
   Kind kind = Kind::none;
@@ -40,7 +39,7 @@ enum LookBit : std::uint64_t {
   kLooksLeft = std::uint64_t{1} << 52,
 };
 std::uint64_t packed_look(const Point3& unit_normal, std::uint64_t bits);
-std::uint64_t put_together(std::uint64_t a, std::uint64_t b);
+std::uint64_t merged_looks(std::uint64_t a, std::uint64_t b);
 /// Whether no two of the merged faces can form an outline or a crease as neighbours: none is odd, all face one way, and
 /// no two normals have a product below the cosine.
 bool look_alike(std::uint64_t looks, double crease_cosine);

@@ -5,7 +5,7 @@
 namespace ligne::warnock {
 namespace {
 
-/// The face against a window of any form. `meets(p, q)` tells of a side whether it meets the window, `point` lies in it.
+/// Relation of a face to a window of any form. meets(p, q): whether a side meets the window; `point`: a point of the window.
 template <class Meets>
 Relation relation_by_sides(const FaceTable& table, const Face& face, FramePoint point, const Meets& meets,
                            std::uint32_t& side, AnalysisCounts& counts) {

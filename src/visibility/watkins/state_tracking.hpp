@@ -17,16 +17,16 @@
 
 namespace ligne::watkins {
 
-/// Where the part of an edge ends that is hidden from some line on: on the last line on which it was visible, or on the
-/// first one on which it is hidden, so that it crosses the edge that hides it.
+/// The scan line on which a visible part ends: the last one on which it is visible, or the first one on which it is hidden,
+/// so that it crosses the edge that hides it.
 enum class PartEnd : std::uint8_t { last_visible, first_hidden };
 
-/// A visible part of a line: where it is on its first and on its last scan line, as parameters on the line.
+/// A visible part of a line. Places are parameters on the line.
 struct TrackedPart {
   std::uint32_t line;         ///< index of the SweepLine
   std::uint32_t first, last;  ///< scan lines on which it is visible
-  double from, to;            ///< on these lines
-  double beyond;              ///< on the first line on which it is hidden; `to` where the edge ends before it
+  double from, to;            ///< where it meets these scan lines
+  double beyond;              ///< where it meets the first scan line on which it is hidden; `to` if it ends before
 };
 
 /// A place on a scan line where two visible faces penetrate.
@@ -57,14 +57,14 @@ class StateTracker final : public LineListener {
   std::vector<PenetrationPoint> points_;
 };
 
-/// The visible parts of all lines, joined over the seams of groups.
+/// The visible parts of all lines, joined across the seams of the groups.
 class TrackedParts {
  public:
   TrackedParts() = default;
   /// `parts` by group, from the top.
   TrackedParts(const std::vector<std::vector<TrackedPart>>& parts, std::size_t line_count);
 
-  /// The parts of a line, ascending; parts that are a point on one line have no length.
+  /// The parts of a line, ascending. A part visible on one scan line only has no length.
   std::vector<LinePart> visible_parts(std::size_t line, PartEnd end) const;
   std::size_t points() const;  ///< parts that are visible on one line only
 

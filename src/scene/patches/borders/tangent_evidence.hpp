@@ -27,7 +27,7 @@ void close_unlike_borders(const Scene& scene, const Topology& topology, const Pa
 bool is_of_strip(const Scene& scene, const Topology& topology, const Patches& patches, std::uint32_t e);
 
 /// Whether an edge lies between a plane and the free form of a constructed part, whose face is kRowLength times as long
-/// there as it is wide. Rows of narrow faces follow the ruling at which a rounding without a surface ends.
+/// there as it is wide. Rows of narrow faces follow the ruling at which a fillet without a surface ends.
 bool is_of_row_at_plane(const Scene& scene, const Topology& topology, const Patches& patches, std::uint32_t e);
 
 }  // namespace ligne

@@ -75,7 +75,7 @@ FacetGraph graph_of(const MeshPart& part, const TriangleObject& whole, std::span
 }
 
 /// Whether hardly any surface is found near samples, and few faces lie in planes.
-bool seems_free(const FaceWalk& walk, std::span<const std::uint32_t> joints) {
+bool seems_freeform(const FaceWalk& walk, std::span<const std::uint32_t> joints) {
   const TriangleObject& whole = walk.whole();
   const std::vector<std::uint32_t> samples = sampled_faces(whole);
   FaceSet near_samples(whole);
@@ -107,7 +107,7 @@ bool seems_free(const FaceWalk& walk, std::span<const std::uint32_t> joints) {
     const auto at = std::ranges::lower_bound(part.faces, f);
     facets.push_back(graph.facet_of[static_cast<std::size_t>(at - part.faces.begin())]);
   }
-  return PatchFinder(part.scene, part.topology, part.scene.objects[0], graph).seems_free(facets, whole.face_count());
+  return PatchFinder(part.scene, part.topology, part.scene.objects[0], graph).seems_freeform(facets, whole.face_count());
 }
 
 /// Finds the joints of sets of faces that may be planes: sets of many faces, or with a large one. A few small triangles lie
@@ -280,12 +280,12 @@ std::optional<LargeFreeform> find_large_freeform(const TriangleObject& whole, st
   bool is_free = false;
   std::optional<LargeFreeform> found;
   const bool has_many_joints = joints.size() > kManyJoints * (whole.edge_count() / kFlatShare);
-  if (has_many_joints && !(is_free = seems_free(walk, joints))) return std::nullopt;
+  if (has_many_joints && !(is_free = seems_freeform(walk, joints))) return std::nullopt;
   parallel_tasks(2, [&](std::size_t task) {
     if (task == 0) {
       found = planes_of_freeform(walk, joints);
     } else if (!is_free) {
-      is_free = seems_free(walk, joints);
+      is_free = seems_freeform(walk, joints);
     }
   });
   if (!is_free) return std::nullopt;

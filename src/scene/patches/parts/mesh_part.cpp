@@ -10,7 +10,7 @@
 namespace ligne {
 namespace {
 
-/// The things marked with 1, which are numbered from `first`, ascending.
+/// The elements marked with 1, ascending; they are numbered from `first`.
 std::vector<std::uint32_t> numbers_of(const std::vector<std::uint8_t>& marks, std::uint32_t first) {
   std::vector<std::uint32_t> numbers;
   // Few are marked: memchr passes many of the others at a time.
@@ -23,22 +23,22 @@ std::vector<std::uint32_t> numbers_of(const std::vector<std::uint8_t>& marks, st
   return numbers;
 }
 
-/// The numbers of things in a part, by their numbers in the whole less `first`. Others have any number.
+/// The numbers of elements in a part, by their numbers in the whole less `first`. Others have any number.
 class Numbers {
  public:
-  Numbers(std::span<const std::uint32_t> things, std::uint32_t first, std::uint32_t end)
+  Numbers(std::span<const std::uint32_t> elements, std::uint32_t first, std::uint32_t end)
       : first_(first), numbers_(end - first) {
-    for (std::uint32_t i = 0; i < things.size(); ++i) numbers_[things[i] - first] = i;
+    for (std::uint32_t i = 0; i < elements.size(); ++i) numbers_[elements[i] - first] = i;
   }
-  std::uint32_t operator[](std::uint32_t thing) const { return numbers_[thing - first_]; }
+  std::uint32_t operator[](std::uint32_t element) const { return numbers_[element - first_]; }
 
  private:
   std::uint32_t first_;
   UninitializedVector<std::uint32_t> numbers_;
 };
 
-/// Several threads may mark the same thing.
-void mark(std::uint8_t& thing) { std::atomic_ref(thing).store(1, std::memory_order_relaxed); }
+/// Several threads may mark the same element.
+void mark(std::uint8_t& element) { std::atomic_ref(element).store(1, std::memory_order_relaxed); }
 
 }  // namespace
 

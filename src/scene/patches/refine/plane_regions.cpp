@@ -199,7 +199,7 @@ class RegionFinder {
   }
 
   /// Leaves out the regions that border on a surface along a single edge: they may be facets of another surface that was not
-  /// recognised, as at the corner of a coarse rounding. Planes border along chains, or cut a facet across, as the wall of a
+  /// recognised, as at the corner of a coarse fillet. Planes border along chains, or cut a facet across, as the wall of a
   /// slot does.
   void leave_out_facets() {
     KeyTable surface_at;

@@ -16,7 +16,7 @@ namespace {
 /// the larger radius. The axis of a band of few facets is not known more precisely.
 constexpr double kAxisSine = 0.03, kAxisDistance = 0.03;
 /// A torus is rejected if this part of the corners of a cylinder in it is nearer to that by this factor: a torus goes
-/// through any three circles about one axis, such as those of the wall of a boss and of the first row of its rounding.
+/// through any three circles about one axis, such as those of the wall of a boss and of the first row of its fillet.
 constexpr double kMostCorners = 0.75, kFarBetter = 0.1;
 
 bool has_axis(const PatchSurface& s) { return s.kind == SurfaceKind::cylinder || s.kind == SurfaceKind::cone; }

@@ -73,7 +73,7 @@ void PatchFinder::join_facets(const std::vector<Patch>& patches, bool exact) {
     const bool may_slant = exact && corners == 3;
     double tolerance = exact ? tolerance_for(patch.surface.kind, 0) : kJoinedSags * patch.sag;
     double most_sags = may_slant ? kExactSags : kMostSags;
-    if (is_rounding(patch_of_[from])) {
+    if (is_fillet(patch_of_[from])) {
       if (is_in_disc(patch, f)) return;
       if (exact) tolerance = std::max(tolerance, kStripSagPart * patch.sag);
       most_sags = kMostSags;

@@ -17,7 +17,7 @@ namespace ligne {
 namespace {
 
 // Adjustable parameters.
-/// Least part of the area, and of the longest diagonal, of a facet that another one of about the same size and form has.
+/// Smallest ratio of the areas, and of the longest diagonals, of two facets of about the same size and form.
 constexpr double kSameArea = 0.8, kSameLength = 0.9;
 /// About this many seeds, spread evenly over all, are tried first. If fewer than kFewestSuccesses of them get a
 /// surface, the object gets none at all.
@@ -26,12 +26,13 @@ constexpr std::ptrdiff_t kFewestSuccesses = 4;
 /// The object also gets none if the surfaces of the samples together have fewer facets than one per kLeastShare seeds:
 /// in a free form of a million facets, some rows of ten lie on cylinders.
 constexpr std::size_t kLeastShare = 2000;
-/// Inverse of the part of the facets whose surfaces must end there: those of the others go over into what is beside them.
+/// At least one in so many facets must lie on a surface that ends there instead of continuing smoothly.
 constexpr std::size_t kFirmShare = 4;
 /// Logarithm of the number of classes of seeds of similar lengths.
 constexpr int kClassBits = 12;
-/// Largest number of facets that all surfaces together grow over, and how many more for each facet of the object. Parts need
-/// at most 200 for each; where rounding hides the bends of a ball of thousands of facets, many surfaces nearly fit.
+/// Largest number of facets over which all surfaces together grow: a constant, plus so many for each facet of the object.
+/// Parts need at most 200 for each; where rounding hides the bends of a ball of thousands of facets, many surfaces nearly
+/// fit.
 constexpr std::size_t kMostGrown = std::size_t{1} << 22, kMostGrownPerFacet = 256;
 /// Largest number of seeds that are tried at once.
 constexpr std::size_t kMostTrials = 8;
@@ -57,7 +58,7 @@ std::vector<std::uint32_t> PatchFinder::run(std::vector<Patch>& patches) {
   parallel_sort(all.begin(), all.end());
   search(all, patches);
   join_bands(patches);
-  find_roundings(all, patches);
+  find_fillets(all, patches);
   const std::vector<std::uint32_t> found_by = patch_of_;
   join_borders(patches);
   // Facets beside merged patches may lie only on the surface of the larger one.
@@ -65,10 +66,10 @@ std::vector<std::uint32_t> PatchFinder::run(std::vector<Patch>& patches) {
   return std::move(patch_of_);
 }
 
-/// Whether a surface, on which corners do not lie exactly, goes over into what is beside it: it would grow at a tolerance of
-/// its sag. Each row of facets of a smooth tube lies on a cylinder so; spheres hold too exactly. Where the facets are a part
-/// of an object, those at borders may go on.
-bool PatchFinder::goes_over(const Patch& patch, std::vector<std::uint32_t> facets) {
+/// Whether a surface continues smoothly into its neighbours: corners leave it by more than rounding, and it would grow at a
+/// tolerance of its sag. So each row of facets of a smooth tube lies on a cylinder; spheres never do. If the object is only
+/// a part, facets at its border may continue.
+bool PatchFinder::continues_smoothly(const Patch& patch, std::vector<std::uint32_t> facets) {
   fetch_points(facets);
   const double rounding = kPrecisions * object_.precision;
   const auto is_exact = [&](const Point3& p) { return std::abs(patch.surface.distance(p)) <= rounding; };
@@ -80,8 +81,8 @@ bool PatchFinder::goes_over(const Patch& patch, std::vector<std::uint32_t> facet
   return !ends_within(c, std::max(patch.sag, rounding));
 }
 
-/// Searches from samples of `count` seeds. Whether they get so few surfaces that the object gets none, or it has no plane
-/// and most of these go over into what is beside them: the rows of lofts between planes tell where these begin.
+/// Searches from samples of `count` seeds. Returns true if they give too few surfaces, or if there is no plane and most
+/// surfaces continue smoothly: then the object gets no surfaces. Lofts between planes keep theirs.
 bool PatchFinder::find_few(std::span<const Seed> samples, std::size_t count, std::vector<Patch>& patches) {
   search(samples, patches);
   const PatchFacets facets = facets_of(patches);
@@ -89,13 +90,13 @@ bool PatchFinder::find_few(std::span<const Seed> samples, std::size_t count, std
   for (const std::vector<std::uint32_t>& of_patch : facets) found += of_patch.size();
   const bool has_plane = std::ranges::any_of(graph_.is_plane, [](std::uint8_t is_plane) { return is_plane != 0; });
   for (std::size_t p = 0; p < patches.size() && !has_plane; ++p)
-    loose += goes_over(patches[p], facets[p]) ? facets[p].size() : 0;
+    loose += continues_smoothly(patches[p], facets[p]) ? facets[p].size() : 0;
   const auto succeeded = [&](const Seed& seed) { return patch_of_[seed.facet] != kNone; };
   return std::ranges::count_if(samples, succeeded) < kFewestSuccesses || kLeastShare * found < count ||
          kFirmShare * (found - loose) < found;
 }
 
-bool PatchFinder::seems_free(std::span<const std::uint32_t> facets, std::size_t count) {
+bool PatchFinder::seems_freeform(std::span<const std::uint32_t> facets, std::size_t count) {
   constexpr double kNearlyAll = 7.0 / 8;
   std::vector<Seed> samples;
   for (const std::uint32_t f : facets) {
@@ -120,7 +121,7 @@ std::vector<PatchFinder::Seed> PatchFinder::seeds() const {
   return seeds;
 }
 
-/// Every so many seeds in their order, by sorting only those of about the same lengths.
+/// Every `step`-th of the sorted seeds, found without sorting the others.
 std::vector<PatchFinder::Seed> PatchFinder::every_seed(std::span<const Seed> seeds, std::size_t step) {
   // Lengths are not negative, so their bits have their order. Longer seeds get lower numbers.
   const auto bits = [](const Seed& seed) { return std::bit_cast<std::uint64_t>(seed.length); };
@@ -151,10 +152,9 @@ std::vector<PatchFinder::Seed> PatchFinder::every_seed(std::span<const Seed> see
 /// Whether the surfaces of the object have grown over as many facets as they may.
 bool PatchFinder::has_grown_enough() const { return all_grown_ > kMostGrown + kMostGrownPerFacet * graph_.size(); }
 
-/// Makes patches from seeds, and excludes those that are_alike() near a failed one. The smallest seeds are not tried if
-/// those before them let surfaces grow in vain too often. Several threads try seeds at once, as if those before them failed.
-/// Only those up to the first that finds a surface count, so that the result is the same as one by one. The others are kept
-/// for their turn, unless that surface takes a facet that mattered to them.
+/// Makes patches from seeds, and excludes those that are_alike() near a failed one. Stops when surfaces have grown over too
+/// many facets. Several threads try seeds at once, each as if those before it failed. Only outcomes up to the first surface
+/// count, so the result is the same as one by one. Later outcomes are kept unless that surface takes a facet they used.
 void PatchFinder::search(std::span<const Seed> seeds, std::vector<Patch>& patches) {
   is_excluded_.assign(graph_.size(), 0);
   kept_.clear();
@@ -188,7 +188,7 @@ void PatchFinder::search(std::span<const Seed> seeds, std::vector<Patch>& patche
   }
 }
 
-/// The next seeds to try, at most so many that are not known to fail. Each excludes others as if it had failed.
+/// The next seeds to try, `most` of which are not known to fail. Each excludes others as if it had failed.
 std::vector<PatchFinder::Trial> PatchFinder::next_trials(std::span<const Seed> seeds, std::size_t from, std::size_t most) {
   std::vector<Trial> trials;
   std::size_t count = 0;
@@ -207,7 +207,7 @@ std::vector<PatchFinder::Trial> PatchFinder::next_trials(std::span<const Seed> s
   return trials;
 }
 
-/// Keeps the outcomes of trials that do not count yet, and of those kept before, where no patch took a facet that mattered.
+/// Keeps the outcomes that do not count yet and used no facet that a patch has taken since.
 void PatchFinder::keep_outcomes(std::span<Trial> trials) {
   for (Trial& trial : trials) {
     if (trial.is_done) kept_.push_back(std::move(trial));
@@ -230,8 +230,8 @@ void PatchFinder::take_outcomes(std::vector<Trial>& trials) {
   std::erase_if(kept_, [&](const Trial& kept) { return !kept.is_done || kept.number < first; });
 }
 
-/// Searches from the seeds that are not known to fail, in their order, up to the first that finds a surface. Some behind it
-/// are tried too, if other threads have nothing else to do.
+/// Searches from the seeds that are not known to fail, in order, up to the first that finds a surface. Idle threads may try
+/// later ones.
 void PatchFinder::try_all(std::span<const Seed> seeds, std::vector<Trial>& trials) {
   for (Trial& trial : trials) trial.is_done = has_failed_[seeds[trial.number].facet] != 0;
   take_outcomes(trials);
@@ -257,8 +257,8 @@ void PatchFinder::try_all(std::span<const Seed> seeds, std::vector<Trial>& trial
   }
 }
 
-/// Whether a facet near a seed that failed will probably fail too: a neighbour that is not much smaller, or another one
-/// of about the same size and form. Smaller ones may belong to a fillet beside a plane or a free form.
+/// Whether a facet near a failed seed will probably fail too: a neighbour that is not much smaller, or any facet of about
+/// the same size and form. Smaller ones may belong to a fillet beside a plane or a free form.
 bool PatchFinder::are_alike(const Seed& failed, std::uint32_t f) const {
   const double area = graph_.area[failed.facet], part = graph_.area[f] / area;
   if (part < kLikeArea) return false;

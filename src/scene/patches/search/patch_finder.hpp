@@ -11,8 +11,8 @@
 
 namespace ligne {
 
-/// Makes patches of the surfaces that are found from the facets of an object. It is a search itself, for which it keeps the
-/// patch of each facet, and has others for seeds that are tried at once.
+/// Makes patches of the surfaces that are found from the facets of an object. The base class is the search of the calling
+/// thread; other threads have their own.
 class PatchFinder : SurfaceSearch {
  public:
   PatchFinder(const Scene& scene, const Topology& topology, const Object& object, const FacetGraph& graph);
@@ -20,13 +20,12 @@ class PatchFinder : SurfaceSearch {
   /// Fills `patches`. Returns the index of the patch of each facet, or kNone.
   std::vector<std::uint32_t> run(std::vector<Patch>& patches);
 
-  /// Whether so few surfaces are found on some facets that an object of `count` facets, of which this one is a part, has
-  /// none. Nearly all of them must be facets that may be curved.
-  bool seems_free(std::span<const std::uint32_t> facets, std::size_t count);
+  /// Whether a sample of facets yields so few surfaces that an object with `count` facets, of which this object is a part,
+  /// counts as free-form. False unless nearly all sampled facets may be curved.
+  bool seems_freeform(std::span<const std::uint32_t> facets, std::size_t count);
 
  private:
-  /// A facet from which surfaces are tried, and its longest diagonal: a maximum, not a sum, so it does not depend on the
-  /// order of the corners.
+  /// A facet from which surfaces are tried, and its longest diagonal, which does not depend on the order of the corners.
   struct Seed {
     double length;
     std::uint32_t facet;
@@ -44,7 +43,7 @@ class PatchFinder : SurfaceSearch {
 
   bool has_grown_enough() const;
   bool may_be_seed(std::uint32_t f) const { return may_curve(f) && !graph_.arcs_of(f).empty(); }
-  bool goes_over(const Patch& patch, std::vector<std::uint32_t> facets);
+  bool continues_smoothly(const Patch& patch, std::vector<std::uint32_t> facets);
   bool find_few(std::span<const Seed> samples, std::size_t count, std::vector<Patch>& patches);
   std::vector<Seed> seeds() const;
   static std::vector<Seed> every_seed(std::span<const Seed> seeds, std::size_t step);
@@ -56,12 +55,12 @@ class PatchFinder : SurfaceSearch {
   void keep_outcomes(std::span<Trial> trials);
   void join_bands(std::vector<Patch>& patches);
   PatchFacets facets_of(const std::vector<Patch>& patches) const;
-  bool is_near_rounding(const std::vector<Patch>& patches, std::span<const std::uint32_t> facets);
-  void find_roundings(std::span<const Seed> seeds, std::vector<Patch>& patches);
-  void join_roundings(std::vector<Patch>& patches);
+  bool is_approximate_fillet(const std::vector<Patch>& patches, std::span<const std::uint32_t> facets);
+  void find_fillets(std::span<const Seed> seeds, std::vector<Patch>& patches);
+  void join_fillets(std::vector<Patch>& patches);
   bool is_tube(const PatchSurface& surface) const;
-  bool is_rounding(std::uint32_t patch) const { return patch < is_rounding_.size() && is_rounding_[patch] != 0; }
-  PatchCandidate whole_rounding(const Patch& patch, const PatchFacets& facets, std::uint32_t p, std::uint32_t q);
+  bool is_fillet(std::uint32_t patch) const { return patch < is_fillet_.size() && is_fillet_[patch] != 0; }
+  PatchCandidate whole_fillet(const Patch& patch, const PatchFacets& facets, std::uint32_t p, std::uint32_t q);
   PatchCandidate torus_through(const std::vector<Patch>& patches, const PatchFacets& facets, std::uint32_t p,
                                std::uint32_t q);
   bool is_cylinder_within(const PatchSurface& surface, std::span<const std::uint32_t> facets, double distance);
@@ -76,14 +75,14 @@ class PatchFinder : SurfaceSearch {
   bool merge_patches(const std::vector<Patch>& patches, const std::vector<std::uint32_t>& found_by);
 
   std::vector<std::uint32_t> patch_of_;    ///< per facet: index of its patch, or kNone
-  std::vector<std::uint8_t> is_rounding_;  ///< per patch so far: whether it is one that join_roundings() has looked at
-  std::vector<double> tubes_;              ///< radii of the tubes that search() looks for, ascending; empty: any surface
-  std::vector<std::uint8_t> has_failed_;   ///< per facet: whether no surface was found from it
-  std::vector<std::uint8_t> at_border_;    ///< per facet of a part of an object: whether it is at a border; else empty
-  std::vector<std::uint8_t> is_excluded_;  ///< per facet: whether it is no seed of search() any more
-  std::deque<SurfaceSearch> others_;       ///< for seeds that are tried at once
-  std::vector<Trial> kept_;                ///< seeds that search() has tried before their turn
-  std::size_t all_grown_ = 0;              ///< number of facets that surfaces grew over from seeds that counted
+  std::vector<std::uint8_t> is_fillet_;    ///< per patch, set by join_fillets()
+  std::vector<double> tubes_;              ///< tube radii that search() looks for, ascending; empty: any surface
+  std::vector<std::uint8_t> has_failed_;   ///< per facet: 1 if no surface was found from it
+  std::vector<std::uint8_t> at_border_;    ///< per facet: 1 at a border; empty if the object is whole
+  std::vector<std::uint8_t> is_excluded_;  ///< per facet: 1 if search() no longer tries it as a seed
+  std::deque<SurfaceSearch> others_;       ///< searches of the other threads
+  std::vector<Trial> kept_;                ///< outcomes of seeds tried before their turn
+  std::size_t all_grown_ = 0;              ///< number of facets over which surfaces grew from seeds that counted
 };
 
 }  // namespace ligne

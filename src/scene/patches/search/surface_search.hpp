@@ -69,14 +69,14 @@ class SurfaceSearch {
   /// Arcs from a seed to the facets of the sample around it, and largest number of these facets.
   static constexpr int kRingSteps = 2;
   static constexpr std::size_t kMostRing = 24;
-  /// Largest ratio of a facet's sag to the median. Tessellators keep to one sag; a flat side between roundings exceeds
+  /// Largest ratio of a facet's sag to the median. Tessellators keep to one sag; a flat side between fillets exceeds
   /// it.
   static constexpr double kMostSags = 4;
   /// Adjustable. Least cosine between the normals of a facet and of its surface at its corners. It admits half of the
   /// diagonal of a square facet on a surface with twelve facets per turn.
   static constexpr double kNormalCosine = 0.92;
 
-  /// Largest distance of corners from a surface, as a fraction of the sag, for long strips and roundings: many corners are
+  /// Largest distance of corners from a surface, as a fraction of the sag, for long strips and fillets: many corners are
   /// evidence all the same. Programs approximate the curves at which fillets end to a thousandth of a millimetre or worse.
   static constexpr double kStripSagPart = 0.25;
 

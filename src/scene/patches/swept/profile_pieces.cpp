@@ -18,24 +18,24 @@ namespace ligne {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-/// Least ratio of the bend at a corner to those at the joints beside it. Coarse meshes of curves bend unevenly. Adjustable.
+/// Least ratio of the bend at a corner to the bends next to it. Coarse meshes of curves bend unevenly. Adjustable.
 constexpr double kCornerBends = 2.5;
 /// Largest ratio between bends, and between lengths, of sides that go on evenly. Adjustable, as kEvenBends is.
 constexpr double kEvenRatio = 1.4;
-/// Largest relative change of the curvature at the end of an arc that has too few sides beyond to tell how it goes on.
+/// Largest relative change of curvature where an arc continues, if too few sides follow to show how it goes on.
 constexpr double kLikeEnd = 0.3;
-/// Least part of the change of the curvature at the end of an arc by which that of a curve changes further. Adjustable.
+/// Least further change of curvature beyond the end of an arc that shows a curve, relative to the change there. Adjustable.
 constexpr double kFurtherPart = 0.4;
 /// Largest bend, in radians, at which planes beside each other may be a nearly straight part of a curve.
 constexpr double kFlatPlanes = kDegree;
-/// A plane that bends by no more ends a curve if it is so many times as long as the side beside it: several strips may be
-/// one facet there. Otherwise kPlaneDepths.
+/// A plane that bends by no more ends a curve if it is this many times as long as the side beside it, since several strips
+/// may be one facet there. Other planes: kPlaneDepths.
 constexpr double kFlatDepths = 6;
 /// Most sides of an arc that may lie on a curve by accident where it is even at its ends.
 constexpr std::size_t kMostArcSides = 4;
 /// Least number of sides of a piece, and least sum of its bends, in radians. Three sides lie on a torus or a cylinder.
 constexpr std::size_t kFewestSides = 4;
-/// Least number of them that are no planes.
+/// Least number of curved sides of a piece.
 constexpr std::ptrdiff_t kFewestCurved = 3;
 constexpr double kLeastTurn = 8 * kDegree;
 
@@ -145,8 +145,8 @@ class PieceFinder {
     return 2 * bends_[k] / (length(chain.sides[(k + m - 1) % m]) + length(chain.sides[k]));
   }
 
-  /// Whether the curvature goes on, in a direction of +-1, as that of an arc up to a point, or changes gradually there: it
-  /// changes further behind the sides at the point. Between two arcs it only jumps.
+  /// Whether the curve continues beyond the end of an arc at a point, in the direction +1 or -1: the curvature stays the
+  /// same, or keeps changing beyond the sides at the point. Between two arcs it jumps once.
   bool goes_on(const Chain& chain, std::size_t point, int direction) const {
     const auto i = static_cast<std::ptrdiff_t>(point);
     const auto before = curvature(chain, i - direction), here = curvature(chain, i),
@@ -157,8 +157,8 @@ class PieceFinder {
     return far && behind && (*far - *behind) * jump >= kFurtherPart * jump * jump;
   }
 
-  /// Whether the sides before and behind a point belong to different surfaces by their owners.
-  bool parts_owners(const Chain& chain, std::size_t i) const {
+  /// Whether the owners of the sides before and after a point show that two surfaces meet there.
+  bool separates_owners(const Chain& chain, std::size_t i) const {
     const std::size_t m = chain.sides.size();
     const std::array<std::uint32_t, 2> sides{chain.sides[(i + m - 1) % m], chain.sides[i % m]};
     const std::array<std::uint32_t, 2> owners{sides_[sides[0]].owner, sides_[sides[1]].owner};
@@ -208,7 +208,7 @@ class PieceFinder {
     for (std::size_t i = chain.is_closed ? 0 : 1; i < m; ++i) {
       const std::uint32_t before = sides_[chain.sides[(i + m - 1) % m]].owner, after = sides_[chain.sides[i]].owner;
       const bool parts_firm = before != after && (is_firm(before) || is_firm(after));
-      is_cut[i] = parts_firm || is_corner(chain, i) || parts_owners(chain, i);
+      is_cut[i] = parts_firm || is_corner(chain, i) || separates_owners(chain, i);
       if (is_cut[i] && first == m) first = i;
     }
     if (first == m || !chain.is_closed) first = 0;
@@ -232,7 +232,7 @@ class PieceFinder {
     return std::atan2(cross(before, after), glm::dot(before, after));
   }
 
-  /// Planes are a part of a piece only between others, unless they hardly bend.
+  /// Removes planes from the ends of a piece, unless they hardly bend there.
   void drop_end_planes(ProfilePiece& piece) const {
     const auto bends = [&](std::size_t i) {
       return piece.sides.size() == 1 || std::abs(bend(piece.points, i)) > kFlatPlanes;

@@ -64,16 +64,16 @@ namespace {
 std::vector<std::array<std::uint32_t, 3>> least_area_triangles(std::span<const Point3> corners) {
   const std::size_t n = corners.size();
   if (n < 3) return {};
-  constexpr double kNone = std::numeric_limits<double>::infinity();
+  constexpr double kImpossible = std::numeric_limits<double>::infinity();
   const auto flat = [&](std::size_t i) { return Point2{corners[i].x, corners[i].y}; };
-  // least[i * n + k]: smallest area of triangles between corners i and k; apex[i * n + k]: third corner of the one at i
-  // k.
+  // least[i * n + k]: smallest area of triangles between corners i and k; apex[i * n + k]: third corner of the one at side
+  // i k.
   std::vector<double> least(n * n, 0);
   std::vector<std::uint32_t> apex(n * n, 0);
   for (std::size_t span = 2; span < n; ++span) {
     for (std::size_t i = 0; i + span < n; ++i) {
       const std::size_t k = i + span;
-      double best = kNone;
+      double best = kImpossible;
       for (std::size_t j = i + 1; j < k; ++j) {
         const double before = least[i * n + j] + least[j * n + k];
         if (!(before < best) || orientation_sign(flat(i), flat(j), flat(k)) <= 0) continue;
@@ -85,7 +85,7 @@ std::vector<std::array<std::uint32_t, 3>> least_area_triangles(std::span<const P
       least[i * n + k] = best;
     }
   }
-  if (!(least[n - 1] < kNone)) return {};
+  if (!(least[n - 1] < kImpossible)) return {};
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::array<std::uint32_t, 2>> open{{0, static_cast<std::uint32_t>(n - 1)}};
   while (!open.empty()) {

@@ -31,8 +31,8 @@ HeightWindow window_of_samples(const HeightSource& heights);
 /// Cells with an edge on which the surface breaks off (SurfacePoints::left_out), for callers that can not cut them.
 std::vector<char> broken_cells(const HeightSource& heights, const HeightFunction& function);
 
-/// make_surface_mesh() of z = f(x, y), with cells cut along the true borders of the part that counts in the window.
-/// `heights` are those of the surface.
+/// make_surface_mesh() of z = f(x, y), with cells cut along the true border of the part whose heights are in the window.
+/// `heights`: the source of the surface's samples.
 SurfaceMesh make_cut_mesh(const SurfacePoints& surface, const HeightSource& heights, const HeightWindow& window);
 
 }  // namespace ligne

@@ -9,10 +9,10 @@
 namespace ligne {
 namespace {
 
-/// Largest difference between a step of samples and the steps beside it, relative to the larger of these; beyond it the
-/// formula is examined ...
+/// Largest difference between a step of samples and the mean of the steps beside it, relative to the larger of these.
+/// Beyond it the formula is examined.
 constexpr double kOutOfStep = 0.25;
-/// ... if the difference also exceeds this part of the range of heights, below which no stroke would show on any page.
+/// Differences below this fraction of the range of heights are not examined: they would show on no page.
 constexpr double kLeastStep = 0x1p-20;
 
 /// Largest number of halvings of the pieces of broken edges, and largest number of their points per sample in a block

@@ -14,21 +14,21 @@ namespace {
 // Adjustable parameters.
 /// Largest relative difference between the radii of tubes that count as one.
 constexpr double kSameTube = 0.005;
-/// Largest sine of the angle between the axes of a rounding and of its boss: the top of a boss may slant.
+/// Largest sine of the angle between the axes of a fillet and of its boss: the top of a boss may slant.
 constexpr double kSlantSine = 0.1;
-/// Largest distance between these axes, and between the radii at which a rounding and its boss meet, as a fraction of the
-/// radius of the boss.
+/// Largest distance between these axes, and between the radii at which both surfaces end, as a fraction of the boss's
+/// radius.
 constexpr double kBesideBoss = 0.03;
 
 /// Whether a torus begins where a cylinder ends, about nearly the same axis.
-bool is_rounding_of(const PatchSurface& torus, const PatchSurface& boss) {
+bool is_fillet_of(const PatchSurface& torus, const PatchSurface& boss) {
   if (boss.kind != SurfaceKind::cylinder || glm::length(glm::cross(torus.axis, boss.axis)) > kSlantSine) return false;
   const double inner = std::abs(torus.radius - torus.tube), outer = torus.radius + torus.tube;
   const double apart = std::min(std::abs(inner - boss.radius), std::abs(outer - boss.radius));
   return std::max(apart, axis_place(boss, torus.at).radius) <= kBesideBoss * boss.radius;
 }
 
-/// Whether a radius is one of those, ascending.
+/// Whether one of the radii, which are ascending, equals `tube`.
 bool is_among(double tube, std::span<const double> tubes) {
   const auto next = std::ranges::lower_bound(tubes, tube * (1 - kSameTube));
   return next != tubes.end() && *next <= tube * (1 + kSameTube);
@@ -53,8 +53,8 @@ PatchCandidate SurfaceSearch::best_tube_at(std::uint32_t seed, std::span<const d
   return best;
 }
 
-/// Whether the corners of a facet lie on one circle about the axis of a torus, as far as the tolerance of a rounding tells.
-/// It is a piece of the disc in this circle then, such as the top of a boss.
+/// Whether the corners of a facet lie on one circle about the axis of a torus, within the tolerance of a fillet. Then it is
+/// a piece of the disc in this circle, such as the top of a boss.
 bool SurfaceSearch::is_in_disc(const Patch& torus, std::uint32_t f) const {
   if (graph_.is_sliver[f]) return false;
   const AxisPlace first = axis_place(torus.surface, scene_.vertices[graph_.vertices[f].front()]);
@@ -64,13 +64,13 @@ bool SurfaceSearch::is_in_disc(const Patch& torus, std::uint32_t f) const {
   });
 }
 
-/// Whether a torus begins at a boss or a bore beside it, and corners of its facets lie on it less than exactly.
-bool PatchFinder::is_near_rounding(const std::vector<Patch>& patches, std::span<const std::uint32_t> facets) {
+/// Whether facets lie on a torus that begins at a boss or bore beside them, but not exactly.
+bool PatchFinder::is_approximate_fillet(const std::vector<Patch>& patches, std::span<const std::uint32_t> facets) {
   const PatchSurface& torus = patches[patch_of_[facets.front()]].surface;
   const auto is_beside_boss = [&](std::uint32_t f) {
     return std::ranges::any_of(graph_.arcs_of(f), [&](const FacetGraph::Arc& arc) {
       const std::uint32_t q = patch_of_[arc.facet];
-      return q != kNone && is_rounding_of(torus, patches[q].surface);
+      return q != kNone && is_fillet_of(torus, patches[q].surface);
     });
   };
   if (torus.kind != SurfaceKind::torus || std::ranges::none_of(facets, is_beside_boss)) return false;
@@ -79,18 +79,18 @@ bool PatchFinder::is_near_rounding(const std::vector<Patch>& patches, std::span<
   return std::ranges::any_of(points_, [&](const Point3& p) { return std::abs(torus.distance(p)) > rounding; });
 }
 
-/// Finds the roundings of bosses and bores that are alike. Where the top of a boss slants or bends, its rounding is only
-/// nearly a torus: of some bosses it is found in pieces or not at all. So the radii of the tubes that are found so are
-/// looked for beside all bosses at the tolerance of strips, and the pieces of one torus are joined.
-void PatchFinder::find_roundings(std::span<const Seed> seeds, std::vector<Patch>& patches) {
+/// Finds the fillets of bosses and bores that are alike. Where the top of a boss slants or bends, its fillet is only nearly
+/// a torus, and is found in pieces or not at all. So tubes with the radii found are searched beside all bosses at the
+/// tolerance of strips, and the pieces of one torus are joined.
+void PatchFinder::find_fillets(std::span<const Seed> seeds, std::vector<Patch>& patches) {
   const PatchFacets facets = facets_of(patches);
   for (const std::vector<std::uint32_t>& of_patch : facets) {
-    if (!of_patch.empty() && is_near_rounding(patches, of_patch))
+    if (!of_patch.empty() && is_approximate_fillet(patches, of_patch))
       tubes_.push_back(patches[patch_of_[of_patch.front()]].surface.tube);
   }
   if (tubes_.empty()) return;
   std::ranges::sort(tubes_);
-  join_roundings(patches);
+  join_fillets(patches);
   std::vector<Seed> beside;
   const auto is_boss = [&](const FacetGraph::Arc& arc) {
     const std::uint32_t p = patch_of_[arc.facet];
@@ -102,15 +102,15 @@ void PatchFinder::find_roundings(std::span<const Seed> seeds, std::vector<Patch>
     beside.push_back(seed);
   }
   search(beside, patches);
-  join_roundings(patches);
+  join_fillets(patches);
 }
 
 bool PatchFinder::is_tube(const PatchSurface& surface) const {
   return surface.kind == SurfaceKind::torus && is_among(surface.tube, tubes_);
 }
 
-/// Joins the pieces of roundings, and the facets without a surface that lie on these, to one torus each. Sets is_rounding_.
-void PatchFinder::join_roundings(std::vector<Patch>& patches) {
+/// Joins the pieces of each fillet, and the facets without a surface that lie on it, to one torus. Sets is_fillet_.
+void PatchFinder::join_fillets(std::vector<Patch>& patches) {
   for (std::uint32_t f = 0; f < graph_.size(); ++f) {
     std::uint32_t& p = patch_of_[f];
     if (p != kNone && is_tube(patches[p].surface) && is_in_disc(patches[p], f)) p = kNone;
@@ -119,7 +119,7 @@ void PatchFinder::join_roundings(std::vector<Patch>& patches) {
   const auto join = [&](std::uint32_t p, std::uint32_t q) {
     all_grown_ += take_grown();
     if (facets[q].empty() || has_grown_enough()) return;
-    const PatchCandidate whole = whole_rounding(patches[p], facets, p, q);
+    const PatchCandidate whole = whole_fillet(patches[p], facets, p, q);
     if (whole.facets.empty()) return;
     for (const std::uint32_t f : whole.facets) {
       if (patch_of_[f] != kNone) facets[patch_of_[f]].clear();
@@ -131,10 +131,10 @@ void PatchFinder::join_roundings(std::vector<Patch>& patches) {
   std::vector<std::uint32_t> order(patches.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::uint32_t p) { return facets[p].size(); });
-  is_rounding_.resize(patches.size());
+  is_fillet_.resize(patches.size());
   for (const std::uint32_t p : order) {
-    if (facets[p].empty() || !is_tube(patches[p].surface) || !is_near_rounding(patches, facets[p])) continue;
-    is_rounding_[p] = 1;
+    if (facets[p].empty() || !is_tube(patches[p].surface) || !is_approximate_fillet(patches, facets[p])) continue;
+    is_fillet_[p] = 1;
     join(p, p);
     std::vector<std::uint32_t> beside;
     for (const std::uint32_t f : facets[p]) {
@@ -150,9 +150,9 @@ void PatchFinder::join_roundings(std::vector<Patch>& patches) {
   }
 }
 
-/// The torus through the facets of two pieces of a rounding, or of one if both are the same, with the facets without a
-/// surface and the other patches that lie on it. It has no facets if there is no such torus or if it has no more of them.
-PatchCandidate PatchFinder::whole_rounding(const Patch& patch, const PatchFacets& facets, std::uint32_t p, std::uint32_t q) {
+/// The torus through the pieces p and q of a fillet (which may be equal), with all free facets and other patches on it.
+/// Without facets if no torus fits or if it gains none.
+PatchCandidate PatchFinder::whole_fillet(const Patch& patch, const PatchFacets& facets, std::uint32_t p, std::uint32_t q) {
   const ApproximateTori approximate(*this);
   const auto fit = [&](PatchCandidate& c) {
     fetch_points(c.facets);
@@ -161,9 +161,7 @@ PatchCandidate PatchFinder::whole_rounding(const Patch& patch, const PatchFacets
     return c.residual <= tolerance_for(SurfaceKind::torus, c.patch.sag) && is_among(c.patch.surface.tube, tubes_) &&
            is_certain(c);
   };
-  PatchCandidate whole;
-  whole.patch = patch;
-  whole.facets = facets[p];
+  PatchCandidate whole{.patch = patch, .facets = facets[p]};
   if (q != p) {
     whole.facets.insert(whole.facets.end(), facets[q].begin(), facets[q].end());
     if (!fit(whole)) return {};
