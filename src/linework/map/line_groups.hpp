@@ -63,7 +63,7 @@ class Arcs {
   std::uint32_t next(std::uint32_t end) const;
   /// The arcs of the remaining pieces, in the order of their lowest pieces. A ring begins with its lowest piece.
   std::vector<Arc> find() const;
-  /// The arc that begins at a loose end of a remaining piece. Empty if it is longer than `most`.
+  /// The arc that begins at an end of a remaining piece, where next() is kNone. Empty if it is longer than `most`.
   Arc from(std::uint32_t end, double most = kAnyLength) const;
   void take_away(const Arc& arc);
 
