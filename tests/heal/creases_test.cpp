@@ -133,6 +133,24 @@ TEST(Creases, AStrayTriangleDoesNotSpoilAScan) {
   EXPECT_NEAR(double(found.count()), double(find(clean).count()), 3);
 }
 
+/// The zone of a ball, in even triangles, and a cube of 12 triangles.
+std::string ball_and_cube() {
+  const std::string row = "(pi*(floor(k/64)/30-0.2667))", turn = "(pi*k/32)", next = "(k-mod(k,64)+mod(k+1,64)+1)";
+  return test::repeated("[[1088*v @10*cos(" + row + ")*cos(" + turn + ")@ @10*cos(" + row + ")*sin(" + turn + ")@ @10*sin(" +
+                        row + ")@\n]][[1024*f @k+1@ @" + next + "@ @" + next + "+64@\nf @k+1@ @" + next +
+                        "+64@ @k+65@\n]]") +
+         "v 15 0 0\nv 23 0 0\nv 15 8 0\nv 23 8 0\nv 15 0 8\nv 23 0 8\nv 15 8 8\nv 23 8 8\n"
+         "f -8 -6 -5\nf -8 -5 -7\nf -4 -3 -1\nf -4 -1 -2\nf -8 -7 -3\nf -8 -3 -4\nf -6 -2 -1\nf -6 -1 -5\n"
+         "f -8 -4 -2\nf -8 -2 -6\nf -7 -5 -1\nf -7 -1 -3\n";
+}
+
+TEST(Creases, APartOfSpheresIsNoScan) {
+  const Found found = find(read(ball_and_cube(), ModelFormat::obj));
+  EXPECT_EQ(found.creases.patches.list.size(), 1u);
+  EXPECT_TRUE(found.creases.scans.empty());
+  EXPECT_EQ(found.count(), 12u);
+}
+
 TEST(Creases, AFineScanBendsLittleAndAPlaneNotAtAll) {
   EXPECT_EQ(find(rounded_ridge(0.3, 0.15, 0.03)).creases.decimated, 0u);
   EXPECT_TRUE(find(rounded_ridge(0.3, 0.15, 0)).creases.scans.at(0).is_decimated);

@@ -29,6 +29,8 @@ constexpr std::size_t kMostLengths = 50'000;
 /// turn faces as wide as an edge is long. Fine scans bend by less than a degree at most edges, and planes by rounding alone.
 constexpr double kLeastFlatDegrees = 0.1, kMostFlatDegrees = 1;
 constexpr double kFlatRoundings = 4;
+/// Largest part of the edges inside recognised surfaces: scanners place no points on spheres within rounding.
+constexpr double kRecognisedPart = 1.0 / 4;
 /// Largest part of the edges that may have more than two faces, or faces with opposite windings. Scanners leave stray
 /// triangles, which spoil their neighbourhood but not the whole scan.
 constexpr double kDefectPart = 1.0 / 32;
@@ -110,8 +112,10 @@ bool is_scan(const CreaseMesh& mesh, const std::vector<Bend>& bends, const ScanO
   constexpr std::uint16_t kSpoken = kEdgeSmooth | kEdgeSharp | kEdgeInner, kDefect = kEdgeUnlikeWound | kEdgeManyFaces;
   const auto count = static_cast<double>(object.edge_end - object.edge_begin);
   struct Counts {
-    std::size_t spoken = 0, defect = 0, bent = 0;
-    Counts operator+(const Counts& o) const { return {spoken + o.spoken, defect + o.defect, bent + o.bent}; }
+    std::size_t spoken = 0, defect = 0, recognised = 0, bent = 0;
+    Counts operator+(const Counts& o) const {
+      return {spoken + o.spoken, defect + o.defect, recognised + o.recognised, bent + o.bent};
+    }
   };
   const auto least = static_cast<float>(least_flat_cosine(scene, topology, object, precision));
   // Lets the count stop early, when too many edges are flat.
@@ -121,23 +125,25 @@ bool is_scan(const CreaseMesh& mesh, const std::vector<Bend>& bends, const ScanO
     Counts sum;
     if (too_flat()) return sum;
     // Counts of 32 bits and loops without branches are vectorized.
-    std::uint32_t spoken = 0, defect = 0, bent_edges = 0, flat = 0;
+    std::uint32_t spoken = 0, defect = 0, recognised = 0, bent_edges = 0, flat = 0;
     const std::uint16_t* const flags = topology.edge_flags.data() + object.edge_begin;
+    const PatchEdge* const patch_edges = mesh.patch_edges.data() + object.edge_begin;
     const Bend* const bend = bends.data() + object.edge_begin;
     const float* const cosines = mesh.angles.cosines.data() + object.edge_begin;
     for (std::size_t e = begin; e < end; ++e) {
       spoken += (flags[e] & kSpoken) != 0;
       defect += (flags[e] & kDefect) != 0;
     }
-    if (spoken > 0) return Counts{spoken, defect, 0};
+    if (spoken > 0) return Counts{spoken, defect, 0, 0};
+    for (std::size_t e = begin; e < end; ++e) recognised += patch_edges[e] == PatchEdge::inside;
     for (std::size_t e = begin; e < end; ++e) bent_edges += is_bent(bend[e]);
     for (std::size_t e = begin; e < end; ++e) flat += cosines[e] > least;
     all_flat += flat;
-    return Counts{spoken, defect, bent_edges};
+    return Counts{spoken, defect, recognised, bent_edges};
   };
   const Counts edges = parallel_reduce(object.edge_end - object.edge_begin, kShortWorkBlock, Counts{}, count_edges);
   const auto more_than = [&](std::size_t n, double part) { return static_cast<double>(n) > part * count; };
-  if (edges.spoken > 0 || more_than(edges.defect, kDefectPart)) return false;
+  if (edges.spoken > 0 || more_than(edges.defect, kDefectPart) || more_than(edges.recognised, kRecognisedPart)) return false;
   if (more_than(edges.bent, kBentPart) || too_flat()) return false;
   if (!has_triangles_alone(scene, object)) return false;
   return are_even(edge_lengths(scene, topology, object));
