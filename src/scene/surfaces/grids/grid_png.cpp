@@ -1,14 +1,7 @@
-// libpng reports errors by longjmp: every function here that calls setjmp has no local variable with a destructor.
-
-#include <png.h>
-
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <csetjmp>
-#include <cstring>
 #include <limits>
 
+#include "scene/readers/textures/png_file.hpp"
 #include "scene/surfaces/grids/grid_formats.hpp"
 #include "scene/surfaces/height_filters.hpp"
 #include "scene/surfaces/held_heights.hpp"
@@ -18,91 +11,6 @@ namespace {
 
 /// Largest ratio by which Deflate expands data.
 constexpr std::uint64_t kMostDeflated = 1032;
-
-class PngFile {
- public:
-  PngFile(std::span<const std::byte> bytes, const std::string& name) : rest_(bytes), name_(name) {
-    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_error, [](png_structp, png_const_charp) {});
-    info_ = png_ ? png_create_info_struct(png_) : nullptr;
-    if (!info_) {
-      png_destroy_read_struct(&png_, nullptr, nullptr);
-      throw InputError(name_, "libpng can not be set up");
-    }
-    png_set_read_fn(png_, this, on_read);
-  }
-  ~PngFile() { png_destroy_read_struct(&png_, &info_, nullptr); }
-  PngFile(const PngFile&) = delete;
-  PngFile& operator=(const PngFile&) = delete;
-
-  void read_header() {
-    if (!try_header()) throw_error();
-  }
-  /// Prepares reading rows with one byte per sample, or two in the machine's order. Returns the number of passes.
-  int begin_rows() {
-    if (!try_begin_rows()) throw_error();
-    return passes_;
-  }
-  void read_row(png_bytep row) {
-    if (!try_row(row)) throw_error();
-  }
-
-  std::size_t columns() const { return png_get_image_width(png_, info_); }
-  std::size_t rows() const { return png_get_image_height(png_, info_); }
-  int bit_depth() const { return png_get_bit_depth(png_, info_); }
-  int color_type() const { return png_get_color_type(png_, info_); }
-  /// The value that means transparent.
-  std::optional<unsigned> transparent() const {
-    png_color_16p color = nullptr;
-    if (png_get_tRNS(png_, info_, nullptr, nullptr, &color) == 0 || color == nullptr) return {};
-    return color->gray;
-  }
-
- private:
-  static void on_error(png_structp png, png_const_charp cause) {
-    auto* const self = static_cast<PngFile*>(png_get_error_ptr(png));
-    std::strncpy(self->cause_.data(), cause, self->cause_.size() - 1);
-    png_longjmp(png, 1);
-  }
-
-  static void on_read(png_structp png, png_bytep to, std::size_t size) {
-    auto* const self = static_cast<PngFile*>(png_get_io_ptr(png));
-    if (size > self->rest_.size()) png_error(png, "the file ends early");
-    std::memcpy(to, self->rest_.data(), size);
-    self->rest_ = self->rest_.subspan(size);
-  }
-
-  bool try_header() {
-    if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    png_read_info(png_, info_);
-    return true;
-  }
-
-  bool try_begin_rows() {
-    if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    png_set_packing(png_);
-    if (std::endian::native == std::endian::little) png_set_swap(png_);
-    passes_ = png_set_interlace_handling(png_);
-    png_read_update_info(png_, info_);
-    return true;
-  }
-
-  bool try_row(png_bytep row) {
-    if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    png_read_row(png_, row, nullptr);
-    return true;
-  }
-
-  [[noreturn]] void throw_error() const {
-    throw InputError(name_, std::string("is a broken PNG picture: ") + printable(cause_.data(), cause_.size()));
-  }
-
-  std::span<const std::byte> rest_;
-  const std::string& name_;
-  png_structp png_ = nullptr;
-  png_infop info_ = nullptr;
-  int passes_ = 1;
-  std::array<char, 128> cause_{};
-};
 
 /// The columns and rows that are kept, lowest first.
 struct KeptPlaces {
@@ -122,7 +30,7 @@ std::vector<Sample> read_interlaced(PngFile& png, int passes) {
 /// The kept samples, from the first row of the picture, which is the highest.
 template <typename Sample>
 std::vector<Sample> read_samples(PngFile& png, const KeptPlaces& kept) {
-  const int passes = png.begin_rows();
+  const int passes = png.begin_rows(false);
   const std::size_t columns = png.columns(), rows = png.rows();
   std::vector<Sample> all, line(columns), samples;
   if (passes > 1) all = read_interlaced<Sample>(png, passes);
@@ -169,7 +77,7 @@ std::unique_ptr<HeightSource> read_terrarium(PngFile& png, std::size_t bytes, co
   const std::size_t columns = png.columns(), rows = png.rows();
   check_counts(columns, rows, name);
   check_size(columns, rows, 24, bytes, name);
-  const int passes = png.begin_rows();
+  const int passes = png.begin_rows(false);
   std::vector<std::uint8_t> line(3 * columns), all;
   if (passes > 1) all.resize(3 * columns * rows);
   std::vector<float> heights;
