@@ -76,7 +76,7 @@ Scene read_obj(const ModelReading& in);
 /// Reads a glTF 2.0 file (`binary`: GLB). Every node with a mesh in the default scene (below all root nodes if the file
 /// has no scene) becomes one object, in world coordinates, y up. Morph targets have their
 /// default weights and skins their bind pose, unless `pose` gives a moment of an animation. Omissions are counted by
-/// name. Images are never read. Throws InputError. Source: Khronos glTF 2.0
+/// name. Of the images only palettes are read (palette_texture.hpp). Throws InputError. Source: Khronos glTF 2.0
 /// specification (ISO/IEC 12113:2022), KHR_mesh_quantization, KHR_draco_mesh_compression, EXT_meshopt_compression,
 /// EXT_mesh_gpu_instancing, KHR_node_visibility.
 Scene read_gltf(const ModelReading& in, bool binary);

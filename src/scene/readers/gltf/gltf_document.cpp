@@ -135,6 +135,8 @@ GltfDocument open_gltf(std::span<const std::byte> bytes, bool binary, const std:
                         std::move(checked.left_out),
                         std::move(checked.animation_left_out),
                         std::move(checked.animation_error),
+                        std::move(checked.textures),
+                        std::move(checked.color_textures),
                         std::move(checked.compressed),
                         {}};
   document.decompressed.resize(document.compressed.size());
@@ -196,11 +198,15 @@ std::size_t GltfBuffers::bytes_read() const {
 InputFiles GltfBuffers::files() const {
   InputFiles files;
   for (const GltfBufferEntry& entry : entries_) {
-    const std::string path = percent_decode(entry.uri);
-    if (entry.has_uri && !entry.uri.starts_with("data:") && stays_in_folder(path) && !folder_.empty())
-      files.push_back(folder_ / path);
+    if (auto file = entry.has_uri ? file_of(entry.uri) : std::nullopt) files.push_back(*std::move(file));
   }
   return files;
+}
+
+std::optional<std::filesystem::path> GltfBuffers::file_of(const std::string& uri) const {
+  const std::string path = percent_decode(uri);
+  if (uri.starts_with("data:") || folder_.empty() || !stays_in_folder(path)) return std::nullopt;
+  return folder_ / path;
 }
 
 std::vector<std::byte> GltfBuffers::read(std::size_t buffer) const {

@@ -27,6 +27,8 @@ class GltfBuffers {
 
   /// The files that buffers refer to, fetched or not.
   InputFiles files() const;
+  /// The file of a uri; nothing if it is not in the folder of the model.
+  std::optional<std::filesystem::path> file_of(const std::string& uri) const;
 
   /// Total size of the fetched buffers that come from files of their own or from data URIs.
   std::size_t bytes_read() const;
@@ -51,6 +53,8 @@ struct GltfDocument {
 
   Omissions left_out, animation_left_out;  ///< see CheckedGltf
   std::string animation_error;
+  std::vector<std::optional<GltfTexture>> textures;
+  std::set<std::size_t> color_textures;
   std::vector<std::optional<GltfCompressed>> compressed;            ///< by bufferView
   std::vector<std::optional<std::vector<std::byte>>> decompressed;  ///< by bufferView; the requested ones
 

@@ -38,6 +38,18 @@ std::unique_ptr<draco::Mesh> decode_mesh(std::span<const std::byte> bytes, std::
   return nullptr;
 }
 
+/// `n` numbers for each point; nothing if one is broken.
+template <std::int8_t n>
+std::vector<double> attribute_values(const draco::PointAttribute& attribute, std::uint32_t points) {
+  std::vector<double> values(n * std::size_t{points});
+  for (std::uint32_t i = 0; i < points; ++i) {
+    double* const to = &values[n * std::size_t{i}];
+    const bool good = attribute.ConvertValue<double, n>(attribute.mapped_index(draco::PointIndex(i)), to);
+    if (!good || !std::all_of(to, to + n, [](double v) { return std::isfinite(v); })) return {};
+  }
+  return values;
+}
+
 }  // namespace
 
 DracoMesh decode_draco(std::span<const std::byte> bytes, const std::map<std::string, int>& ids, const std::string& name,
@@ -62,17 +74,13 @@ DracoMesh decode_draco(std::span<const std::byte> bytes, const std::map<std::str
   for (const auto& [key, id] : ids) {
     if (key == "POSITION") continue;
     const draco::PointAttribute* joints = mesh->GetAttributeByUniqueId(static_cast<std::uint32_t>(id));
-    if (!joints || joints->num_components() != 4) fail("without " + key);
-    std::vector<double>& values = out.joints[key];
-    values.resize(4 * std::size_t{points});
-    for (std::uint32_t i = 0; i < points; ++i) {
-      const bool good =
-          joints->ConvertValue<double, 4>(joints->mapped_index(draco::PointIndex(i)), &values[4 * std::size_t{i}]);
-      if (!good || !std::all_of(&values[4 * std::size_t{i}], &values[4 * std::size_t{i}] + 4,
-                                [](double v) { return std::isfinite(v); })) {
-        fail("broken (" + key + ")");
-      }
+    if (key.starts_with("TEXCOORD_")) {
+      if (joints && joints->num_components() == 2) out.coordinates = attribute_values<2>(*joints, points);
+      continue;
     }
+    if (!joints || joints->num_components() != 4) fail("without " + key);
+    std::vector<double>& values = out.joints[key] = attribute_values<4>(*joints, points);
+    if (values.empty()) fail("broken (" + key + ")");
   }
   out.corners.reserve(3 * static_cast<std::size_t>(mesh->num_faces()));
   for (std::uint32_t f = 0; f < mesh->num_faces(); ++f) {

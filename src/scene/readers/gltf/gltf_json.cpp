@@ -13,6 +13,7 @@
 #include "scene/readers/gltf/gltf_extensions.hpp"
 #include "scene/readers/gltf/gltf_item.hpp"
 #include "scene/readers/gltf/gltf_motion.hpp"
+#include "scene/readers/gltf/gltf_textures.hpp"
 #include "scene/readers/json_place.hpp"
 
 namespace ligne {
@@ -94,7 +95,8 @@ class Checker {
     } catch (const InputError& error) {
       out.animation_error = error.what();
     }
-    out.left_out.count("textures", textures_.size());
+    out.textures = std::move(palettes_);
+    out.color_textures = std::move(textures_);
     out.text = text.dump();
     return out;
   }
@@ -225,14 +227,15 @@ class Checker {
     const std::string mode = item.text("alphaMode");
     out["alphaMode"] = mode.empty() ? "OPAQUE" : mode;
     json color;
+    std::optional<GltfTexture>& palette = palettes_.emplace_back();
     if (const auto pbr = item.object("pbrMetallicRoughness")) {
       color = pbr->numbers("baseColorFactor", 4);
-      if (const auto texture = pbr->object("baseColorTexture")) add_texture(*texture);
+      if (const auto texture = pbr->object("baseColorTexture")) add_texture(*texture, palette);
     }
     if (const auto extensions = item.object("extensions")) {
       if (const auto glossy = extensions->object(kGlossinessExtension)) {
         if (color.is_null()) color = glossy->numbers("diffuseFactor", 4);
-        if (const auto texture = glossy->object("diffuseTexture")) add_texture(*texture);
+        if (const auto texture = glossy->object("diffuseTexture")) add_texture(*texture, palette);
       }
       if (const auto transmission = extensions->object(kTransmissionExtension)) {
         const json* const factor = transmission->find("transmissionFactor");
@@ -244,7 +247,8 @@ class Checker {
   }
 
   /// Counts a texture. A broken texture is no reason to refuse a file.
-  void add_texture(const GltfItem& texture) {
+  void add_texture(const GltfItem& texture, std::optional<GltfTexture>& palette) {
+    if (!palette) palette = find_palette(root_, texture, views_);
     const json* const index = texture.find("index");
     textures_.insert(index && index->is_number_unsigned() ? index->get<std::size_t>() : 0);
   }
@@ -277,7 +281,11 @@ class Checker {
     if (const auto indices = item.index("indices", counts_.accessors)) out["attributes"][kGltfIndices] = *indices;
     add_skin_attributes(attributes, counts_, out["attributes"]);
     out["targets"] = checked_targets(item, counts_);
-    if (const auto material = item.index("material", materials_)) out["material"] = *material;
+    const auto material = item.index("material", materials_);
+    if (material) out["material"] = *material;
+    const std::string coordinates = material && palettes_[*material] ? palettes_[*material]->attribute() : "";
+    const json* at = coordinates.empty() ? nullptr : attributes.find(coordinates.c_str());
+    if (at && at->is_number_unsigned() && *at < counts_.accessors) out["attributes"][coordinates] = *at;
     const auto extensions = item.object("extensions");
     if (const auto draco = extensions ? extensions->object(kDracoExtension) : std::nullopt) {
       const std::size_t view = draco->required_index("bufferView", views_);
@@ -286,6 +294,8 @@ class Checker {
       // Joints and weights are in the compressed mesh, or nowhere.
       const GltfCounts any{.accessors = std::numeric_limits<int>::max()};
       add_skin_attributes(ids, any, checked);
+      at = coordinates.empty() ? nullptr : ids.find(coordinates.c_str());
+      if (at && at->is_number_unsigned() && *at < any.accessors) checked[coordinates] = *at;
       out["extensions"][kDracoExtension] = {{"bufferView", view}, {"attributes", std::move(checked)}};
     }
     return out;
@@ -345,7 +355,8 @@ class Checker {
   GltfItem root_;
   GltfCounts counts_;
   std::size_t scenes_ = 0, meshes_ = 0, materials_ = 0, views_ = 0, buffers_ = 0;
-  std::set<std::size_t> textures_;  ///< textures of base colours
+  std::set<std::size_t> textures_;                    ///< textures of base colours
+  std::vector<std::optional<GltfTexture>> palettes_;  ///< by material
 };
 
 /// Recognises glTF 1.0, which keeps its items in objects by name, and whose version may be missing.

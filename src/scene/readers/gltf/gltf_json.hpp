@@ -1,14 +1,18 @@
 #pragma once
 /// The JSON part of a glTF file, checked.
 
+#include <array>
 #include <cstddef>
+#include <glm/mat3x2.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "files/omissions.hpp"
 #include "scene/readers/gltf/meshopt_codec.hpp"
+#include "scene/readers/textures/palette_texture.hpp"
 
 namespace ligne {
 
@@ -30,6 +34,18 @@ struct GltfCompressed {
   MeshoptView view;
 };
 
+/// The texture of a material's base colour.
+struct GltfTexture {
+  std::size_t number = 0;           ///< index of the texture
+  std::optional<std::size_t> view;  ///< the bufferView of the PNG; otherwise it is in `uri`
+  std::string uri;
+  std::size_t coordinates = 0;  ///< the n of TEXCOORD_n
+  std::array<TextureWrap, 2> wrap{TextureWrap::repeat, TextureWrap::repeat};
+  glm::dmat3x2 transform{1};  ///< of coordinates, by KHR_texture_transform
+
+  std::string attribute() const { return "TEXCOORD_" + std::to_string(coordinates); }
+};
+
 /// The parts of a glTF file that a drawing needs. Every index is in range and every type is right.
 struct CheckedGltf {
   /// JSON for tinygltf with only the geometry and its materials, without buffers. The index accessor of a primitive is
@@ -37,6 +53,8 @@ struct CheckedGltf {
   std::string text;
   std::vector<GltfBufferEntry> buffers;
   std::vector<std::optional<GltfCompressed>> compressed;  ///< by bufferView
+  std::vector<std::optional<GltfTexture>> textures;       ///< by material; those that may be palettes
+  std::set<std::size_t> color_textures;                   ///< indices of all textures of base colours
   Omissions left_out;
   Omissions animation_left_out;  ///< reported only if a pose is requested
   std::string animation_error;   ///< error line of broken animations; likewise

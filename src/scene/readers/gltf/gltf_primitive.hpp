@@ -24,6 +24,7 @@ struct GltfPrimitive {
   GltfDeformation deformation{};
   int mode = TINYGLTF_MODE_TRIANGLES;
   int material = -1;
+  int coordinate_accessor = -1;  ///< of the texture of the base colour, if it is a palette
 
   std::size_t vertex_count() const { return draco ? draco->positions.size() : positions.count(); }
   std::size_t corner_count() const { return draco ? draco->corners.size() : indices ? indices->count() : positions.count(); }
@@ -44,6 +45,12 @@ struct GltfPrimitive {
   bool has_normals(const glm::dmat4& to_world) const {
     return normals && (deformation.any() || glm::determinant(glm::dmat3(to_world)) != 0);
   }
+};
+
+/// An instance of a primitive in the scene.
+struct GltfPart {
+  const GltfPrimitive* primitive;
+  std::uint32_t first_face, first_vertex;
 };
 
 }  // namespace ligne

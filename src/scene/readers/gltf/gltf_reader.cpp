@@ -21,6 +21,7 @@
 #include "scene/readers/gltf/gltf_extensions.hpp"
 #include "scene/readers/gltf/gltf_nodes.hpp"
 #include "scene/readers/gltf/gltf_primitive.hpp"
+#include "scene/readers/gltf/gltf_textures.hpp"
 
 namespace ligne {
 namespace {
@@ -45,6 +46,7 @@ class Reader {
     nodes_ = list_nodes(document_);
     std::vector<GltfInstance>& instances = nodes_.instances;
     add_gpu_instances(document_, kMaxInstanced, instances);
+    palettes_ = read_palettes(document_, report.files);
     meshes_.resize(model_.meshes.size());
     joints_.resize(model_.skins.size());
     count(instances);
@@ -57,6 +59,7 @@ class Reader {
       if (auto found = scene_camera(model_, camera, scene_.cameras.size() + 1)) scene_.cameras.push_back(*std::move(found));
     }
     for (const auto& [what, n] : document_.left_out.counts()) warnings_.leave_out(what, n);
+    warnings_.leave_out("textures", document_.color_textures.size());
     report.faces = report.triangles = triangles_;
     report.vertices = vertices_;
     return std::move(scene_);
@@ -103,9 +106,14 @@ class Reader {
     GltfPrimitive p{.position_accessor = static_cast<std::size_t>(from.attributes.at("POSITION")),
                     .mode = from.mode,
                     .material = from.material};
+    const bool has_palette = p.material >= 0 && palettes_[static_cast<std::size_t>(p.material)];
+    if (has_palette) {
+      const auto at = from.attributes.find(document_.textures[static_cast<std::size_t>(p.material)]->attribute());
+      if (at != from.attributes.end()) p.coordinate_accessor = at->second;
+    }
     const auto draco = from.extensions.find(kDracoExtension);
     if (draco != from.extensions.end()) {
-      p.draco = &decode(draco->second);
+      p.draco = &decode(draco->second, has_palette);
       p.deformation = read_deformation(document_, from, p.vertex_count(), p.draco);
       return p;
     }
@@ -134,13 +142,15 @@ class Reader {
     return std::nullopt;
   }
 
-  const DracoMesh& decode(const tinygltf::Value& extension) {
+  const DracoMesh& decode(const tinygltf::Value& extension, bool with_coordinates) {
     const tinygltf::Value& attributes = extension.Get("attributes");
     const std::pair key{extension.Get("bufferView").Get<int>(), attributes.Get("POSITION").Get<int>()};
     const auto [entry, is_new] = draco_.try_emplace(key);
     if (is_new) {
       std::map<std::string, int> ids;
-      for (const std::string& attribute : attributes.Keys()) ids[attribute] = attributes.Get(attribute).Get<int>();
+      for (const std::string& attribute : attributes.Keys()) {
+        if (with_coordinates || !attribute.starts_with("TEXCOORD_")) ids[attribute] = attributes.Get(attribute).Get<int>();
+      }
       const auto bytes = document_.view_bytes(static_cast<std::size_t>(key.first));
       entry->second = decode_draco(bytes, ids, document_.name, "bufferView " + std::to_string(key.first));
     }
@@ -159,11 +169,14 @@ class Reader {
       object.name = model_.nodes[node].name.empty() ? model_.meshes[mesh].name : model_.nodes[node].name;
       object.vertex_begin = static_cast<std::uint32_t>(vertices);
       object.face_begin = static_cast<std::uint32_t>(faces);
-      std::size_t last_positions = kNone;
+      std::size_t last_positions = kNone, first_vertex = vertices;
       for (const GltfPrimitive& p : *meshes_[mesh]) {
-        if (p.has_own_vertices(last_positions)) vertices += p.vertex_count();
+        if (p.has_own_vertices(last_positions)) {
+          first_vertex = vertices;
+          vertices += p.vertex_count();
+        }
+        parts_.push_back({&p, static_cast<std::uint32_t>(faces), static_cast<std::uint32_t>(first_vertex)});
         faces += p.triangle_count();
-        materials_.emplace_back(p.material, p.triangle_count());
         some_normals_ = some_normals_ || p.has_normals(to_world);
       }
       object.vertex_end = static_cast<std::uint32_t>(vertices);
@@ -331,16 +344,24 @@ class Reader {
       return static_cast<std::uint32_t>(material >= 0 ? static_cast<std::size_t>(material) : model_.materials.size());
     };
     bool some = false, unnamed = false;
-    for (const auto& [material, faces] : materials_) {
-      some = some || number_of(material) != 0;
-      unnamed = unnamed || material < 0;
+    std::vector<std::vector<GltfPart>> textured(palettes_.size());  // by material
+    for (const GltfPart& part : parts_) {
+      const auto& [p, first_face, first_vertex] = part;
+      const bool has_palette = p->material >= 0 && palettes_[number_of(p->material)];
+      if (has_palette) textured[number_of(p->material)].push_back(part);
+      some = some || number_of(p->material) != 0 || has_palette;
+      unnamed = unnamed || p->material < 0;
     }
     if (unnamed) scene_.materials.emplace_back();
     if (!some) return;
     scene_.face_material.reserve(triangles_);
-    for (const auto& [material, faces] : materials_) {
-      scene_.face_material.insert(scene_.face_material.end(), faces, number_of(material));
+    for (const auto& [p, first_face, first_vertex] : parts_) {
+      scene_.face_material.insert(scene_.face_material.end(), p->triangle_count(), number_of(p->material));
     }
+    for (std::uint32_t m = 0; m < textured.size(); ++m) {
+      if (!textured[m].empty()) color_faces(document_, *palettes_[m], m, textured[m], scene_);
+    }
+    if (std::ranges::all_of(scene_.face_material, [](std::uint32_t m) { return m == 0; })) scene_.face_material.clear();
   }
 
   GltfDocument& document_;
@@ -351,8 +372,9 @@ class Reader {
   GltfNodes nodes_;
   std::vector<std::vector<glm::dmat4>> joints_;  ///< by skin; empty until requested
   std::vector<std::optional<std::vector<GltfPrimitive>>> meshes_;
-  std::map<std::pair<int, int>, DracoMesh> draco_;      ///< by bufferView and id of the positions
-  std::vector<std::pair<int, std::size_t>> materials_;  ///< material (-1: none) and number of faces, in order
+  std::map<std::pair<int, int>, DracoMesh> draco_;               ///< by bufferView and id of the positions
+  std::vector<GltfPart> parts_;                                  ///< of all instances, in the order of their faces
+  std::vector<std::shared_ptr<const PaletteTexture>> palettes_;  ///< by material
   std::size_t vertices_ = 0, triangles_ = 0, primitives_ = 0;
   bool some_normals_ = false;  ///< whether any triangle has normals
 };
