@@ -1,8 +1,18 @@
 #include "scene/readers/format_readers.hpp"
 
+#include <algorithm>
+#include <array>
+
+#ifdef LIGNE_HAVE_DRACO
+#include <draco/compression/encode.h>
+#include <draco/mesh/triangle_soup_mesh_builder.h>
+#endif
+
 #include "gltf_builder.hpp"
 #include "reader_tools.hpp"
 #include "scene/clean/clean.hpp"
+#include "scene/model/bounds.hpp"
+#include "scene/readers/gltf/gltf_draco.hpp"
 
 namespace ligne {
 namespace {
@@ -21,6 +31,30 @@ TEST(GltfReader, TransformsScaleThePrecision) {
   const Result read = read_raw([](const ModelReading& in) { return read_gltf(in, false); }, b.text());
   EXPECT_NEAR(read.scene.objects[0].precision, 3 * std::numeric_limits<float>::epsilon() / 2, 1e-13);
 }
+
+#ifdef LIGNE_HAVE_DRACO
+/// A triangle as wide as the largest number of 11 bits, so that the encoder rounds to whole numbers.
+TEST(GltfReader, DracoStepsAreKnown) {
+  const std::array corners{glm::vec3(0), glm::vec3(2047, 0, 0), glm::vec3(0, 1023.25f, 0)};
+  draco::TriangleSoupMeshBuilder builder;
+  builder.Start(1);
+  const int id = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+  builder.SetAttributeValuesForFace(id, draco::FaceIndex(0), &corners[0], &corners[1], &corners[2]);
+  const std::unique_ptr<draco::Mesh> mesh = builder.Finalize();
+  const auto decoded = [&](int bits) {
+    draco::Encoder encoder;
+    encoder.SetAttributeQuantization(draco::GeometryAttribute::POSITION, bits);
+    draco::EncoderBuffer buffer;
+    EXPECT_TRUE(encoder.EncodeMeshToBuffer(*mesh, &buffer).ok());
+    return decode_draco(std::as_bytes(std::span(buffer.data(), buffer.size())), {{"POSITION", id}}, "M", "P");
+  };
+  const DracoMesh rounded = decoded(11), exact = decoded(-1);
+  EXPECT_EQ(rounded.step, 1);
+  EXPECT_EQ(std::ranges::count(rounded.positions, Point3(0, 1023, 0)), 1);
+  EXPECT_EQ(exact.step, 0);
+  EXPECT_EQ(std::ranges::count(exact.positions, Point3(0, 1023.25, 0)), 1);
+}
+#endif
 
 TEST(GltfModels, DracoEngine) {
   const std::filesystem::path file = std::filesystem::path(LIGNE_MODELS_DIR) / "draco/2CylinderEngine.gltf";
@@ -42,6 +76,10 @@ TEST(GltfModels, DracoEngine) {
   EXPECT_NEAR(min.x, -371.6923, kQuantized);
   EXPECT_NEAR(max.y, 92.0416, kQuantized);
   EXPECT_NEAR(max.z, 128, kQuantized);
+  for (const Object& object : scene.objects) {
+    EXPECT_GT(object.precision, object_size(scene, object) * 0x1p-20) << object.name;
+    EXPECT_LT(object.precision, kQuantized / 2) << object.name;
+  }
 #else
   test::expect_parts(test::failure_of(read), {"KHR_draco_mesh_compression"});
 #endif

@@ -192,6 +192,12 @@ ReadAccessor read_as(const GltfElements& from, double scale, const Put& put) {
   });
 }
 
+/// The value of an integer 1 as a component.
+template <class T>
+double scale_of(bool normalized) {
+  return normalized && std::is_integral_v<T> ? 1.0 / static_cast<double>(std::numeric_limits<T>::max()) : 1.0;
+}
+
 template <class Put>
 ReadAccessor read_elements(const GltfElements& from, bool normalized, const Put& put) {
   if (!from.data) {
@@ -200,9 +206,7 @@ ReadAccessor read_elements(const GltfElements& from, bool normalized, const Put&
   }
   return with_type(from.component_type, [&](auto type) {
     using T = decltype(type);
-    const double scale =
-        normalized && std::is_integral_v<T> ? 1.0 / static_cast<double>(std::numeric_limits<T>::max()) : 1.0;
-    return read_as<T>(from, scale, put);
+    return read_as<T>(from, scale_of<T>(normalized), put);
   });
 }
 
@@ -229,6 +233,15 @@ double read_moved(const GltfDocument& document, const GltfAccessor& accessor, st
 }  // namespace
 
 bool GltfAccessor::is_float() const { return elements.component_type == TINYGLTF_COMPONENT_TYPE_FLOAT; }
+
+double GltfAccessor::rounding_step(double largest) const {
+  // Adjustable. Rounded coordinates reach this number of steps at least, since 10 bits are the coarsest that tools offer for
+  // parts; fewer steps count something, such as blocks, and are exact.
+  constexpr double kQuantizedSteps = 1024;
+  if (is_float()) return 0;
+  const double step = with_type(elements.component_type, [&](auto type) { return scale_of<decltype(type)>(normalized); });
+  return largest >= kQuantizedSteps * step ? step : 0;
+}
 
 GltfAccessor position_accessor(GltfDocument& document, std::size_t accessor) {
   const tinygltf::Accessor& from = document.model.accessors[accessor];

@@ -30,6 +30,9 @@ struct GltfAccessor {
 
   std::size_t count() const { return elements.count; }
   bool is_float() const;
+  /// Distance of successive positions whose largest coordinate is given, if they are integers that stand for rounded
+  /// coordinates; 0 if they are exact, or floats.
+  double rounding_step(double largest) const;
 };
 
 /// Checks that an accessor holds positions (VEC3; float, or the integers of KHR_mesh_quantization) or indices (SCALAR;

@@ -11,6 +11,7 @@
 #include "scene/readers/gltf/gltf_extensions.hpp"
 
 #ifdef LIGNE_HAVE_DRACO
+#include <draco/attributes/attribute_quantization_transform.h>
 #include <draco/compression/decode.h>
 #include <draco/core/decoder_buffer.h>
 #include <draco/mesh/mesh.h>
@@ -26,6 +27,7 @@ std::unique_ptr<draco::Mesh> decode_mesh(std::span<const std::byte> bytes, std::
   draco::DecoderBuffer buffer;
   buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   draco::Decoder decoder;
+  decoder.SetSkipAttributeTransform(draco::GeometryAttribute::POSITION);
   try {
     auto result = decoder.DecodeMeshFromBuffer(&buffer);
     if (result.ok()) return std::move(result).value();
@@ -50,6 +52,21 @@ std::vector<double> attribute_values(const draco::PointAttribute& attribute, std
   return values;
 }
 
+/// From stored values to coordinates: the encoder stores numbers of steps, or the coordinates themselves.
+struct Quantization {
+  Point3 origin{0};
+  double step = 1;
+  bool is_rounded = false;
+
+  explicit Quantization(const draco::PointAttribute& attribute) {
+    draco::AttributeQuantizationTransform transform;
+    if (!attribute.GetAttributeTransformData() || !transform.InitFromAttribute(attribute)) return;
+    origin = {transform.min_value(0), transform.min_value(1), transform.min_value(2)};
+    step = transform.range() / (std::ldexp(1.0, transform.quantization_bits()) - 1);
+    is_rounded = true;
+  }
+};
+
 }  // namespace
 
 DracoMesh decode_draco(std::span<const std::byte> bytes, const std::map<std::string, int>& ids, const std::string& name,
@@ -62,24 +79,27 @@ DracoMesh decode_draco(std::span<const std::byte> bytes, const std::map<std::str
   if (!attribute || attribute->num_components() != 3) fail("without positions");
 
   DracoMesh out;
+  const Quantization quantization(*attribute);
+  if (quantization.is_rounded) out.step = std::abs(quantization.step);
   const std::uint32_t points = mesh->num_points();
   out.positions.resize(points);
   for (std::uint32_t i = 0; i < points; ++i) {
     Point3& p = out.positions[i];
     if (!attribute->ConvertValue<double, 3>(attribute->mapped_index(draco::PointIndex(i)), &p.x)) fail("broken (positions)");
+    p = quantization.origin + p * quantization.step;
     const double most = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) fail("broken (a position is not finite)");
     out.largest = std::max(out.largest, most);
   }
   for (const auto& [key, id] : ids) {
     if (key == "POSITION") continue;
-    const draco::PointAttribute* joints = mesh->GetAttributeByUniqueId(static_cast<std::uint32_t>(id));
+    const draco::PointAttribute* other = mesh->GetAttributeByUniqueId(static_cast<std::uint32_t>(id));
     if (key.starts_with("TEXCOORD_")) {
-      if (joints && joints->num_components() == 2) out.coordinates = attribute_values<2>(*joints, points);
+      if (other && other->num_components() == 2) out.coordinates = attribute_values<2>(*other, points);
       continue;
     }
-    if (!joints || joints->num_components() != 4) fail("without " + key);
-    std::vector<double>& values = out.joints[key] = attribute_values<4>(*joints, points);
+    if (!other || other->num_components() != 4) fail("without " + key);
+    std::vector<double>& values = out.joints[key] = attribute_values<4>(*other, points);
     if (values.empty()) fail("broken (" + key + ")");
   }
   out.corners.reserve(3 * static_cast<std::size_t>(mesh->num_faces()));

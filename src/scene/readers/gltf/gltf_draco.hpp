@@ -17,6 +17,7 @@ struct DracoMesh {
   std::vector<Point3> positions;
   std::vector<std::uint32_t> corners;                 ///< three per triangle
   double largest = 0;                                 ///< largest absolute coordinate
+  double step = 0;                                    ///< distance of successive coordinates; 0 where they were not rounded
   std::map<std::string, std::vector<double>> joints;  ///< JOINTS_0, WEIGHTS_0 and so on, four numbers per position
   std::vector<double> coordinates;                    ///< of a texture, two per position; empty: none
 };
