@@ -146,8 +146,7 @@ LinkedContours link_contours(const std::vector<Point2>& p, const std::vector<Swe
       corners.push_back(p[edges[k].first]);
     }
     const int sign = sign_at_smallest_corner(corners);
-    if (sign > 0) links.outer.push_back(std::move(loop));
-    if (sign < 0) links.holes.push_back(std::move(loop));
+    if (sign != 0) (sign > 0 ? links.outer : links.holes).push_back(std::move(loop));
   }
   drop_repeated(links.outer);
   drop_repeated(links.holes);
