@@ -18,7 +18,7 @@ libmuparser-dev      hdr:muParser.h                  formulas
 libpugixml-dev       hdr:pugixml.hpp                 SVG drawings that are to be plotted, 3MF files
 zlib1g-dev           hdr:zlib.h                      3MF files
 libtomlplusplus-dev  hdr:toml++/toml.h               plotters and pens as TOML
-libpng-dev           hdr:png.h                       grids of heights as PNG
+libpng-dev           hdr:png.h                       grids of heights and palettes of models as PNG
 fonts-dejavu-core    font:DejaVuSans.ttf             text in PDF and PNG
 optional libtiff-dev  hdr:tiffio.h                    grids of heights as GeoTIFF
 optional libdraco-dev hdr:draco/compression/decode.h compressed glTF files

@@ -102,18 +102,19 @@ class Reader {
     return *meshes_[mesh];
   }
 
+  bool has_palette(int material) const { return material >= 0 && palettes_[static_cast<std::size_t>(material)]; }
+
   GltfPrimitive open_primitive(const tinygltf::Primitive& from) {
     GltfPrimitive p{.position_accessor = static_cast<std::size_t>(from.attributes.at("POSITION")),
                     .mode = from.mode,
                     .material = from.material};
-    const bool has_palette = p.material >= 0 && palettes_[static_cast<std::size_t>(p.material)];
-    if (has_palette) {
+    if (has_palette(p.material)) {
       const auto at = from.attributes.find(document_.textures[static_cast<std::size_t>(p.material)]->attribute());
       if (at != from.attributes.end()) p.coordinate_accessor = at->second;
     }
     const auto draco = from.extensions.find(kDracoExtension);
     if (draco != from.extensions.end()) {
-      p.draco = &decode(draco->second, has_palette);
+      p.draco = &decode(draco->second, has_palette(p.material));
       p.deformation = read_deformation(document_, from, p.vertex_count(), p.draco);
       return p;
     }
@@ -352,11 +353,9 @@ class Reader {
     bool some = false, unnamed = false;
     std::vector<std::vector<GltfPart>> textured(palettes_.size());  // by material
     for (const GltfPart& part : parts_) {
-      const auto& [p, first_face, first_vertex] = part;
-      const bool has_palette = p->material >= 0 && palettes_[number_of(p->material)];
-      if (has_palette) textured[number_of(p->material)].push_back(part);
-      some = some || number_of(p->material) != 0 || has_palette;
-      unnamed = unnamed || p->material < 0;
+      if (has_palette(part.primitive->material)) textured[number_of(part.primitive->material)].push_back(part);
+      some = some || number_of(part.primitive->material) != 0 || has_palette(part.primitive->material);
+      unnamed = unnamed || part.primitive->material < 0;
     }
     if (unnamed) scene_.materials.emplace_back();
     if (!some) return;

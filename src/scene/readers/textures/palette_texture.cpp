@@ -11,7 +11,7 @@
 #include "base/no_index.hpp"
 #include "base/parallel_each.hpp"
 #include "files/input_error.hpp"
-#include "scene/readers/textures/png_file.hpp"
+#include "scene/readers/png_file.hpp"
 
 namespace ligne {
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "scene/readers/textures/png_file.hpp"
+#include "scene/readers/png_file.hpp"
 #include "scene/surfaces/grids/grid_formats.hpp"
 #include "scene/surfaces/height_filters.hpp"
 #include "scene/surfaces/held_heights.hpp"

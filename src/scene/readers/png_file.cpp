@@ -1,6 +1,6 @@
 // libpng reports errors by longjmp: every function here that calls setjmp has no local variable with a destructor.
 
-#include "scene/readers/textures/png_file.hpp"
+#include "scene/readers/png_file.hpp"
 
 #include <bit>
 #include <csetjmp>
